@@ -1,0 +1,107 @@
+// The judgement of a timer audit, and of a precision probe: pure functions over readings.
+// Reading is the business of layer gl; nothing here knows GL.
+#pragma once
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum sb_load { SB_LOAD_FRAGMENT, SB_LOAD_VERTEX, SB_LOAD_COUNT };
+
+enum { SB_TIMER_MAX = 8, SB_READING_MAX = 1024 };
+
+// One batch of `frames` whole frames of a synthetic load, timed by one source. A source
+// that reads no query (wall) leaves query_ns equal to wall_ns.
+struct sb_timer_reading {
+    int source; // place in sb_audit.source
+    enum sb_load load;
+    int size;            // the target is size x size pixels
+    int frames;          // K: whole frames in the batch, over a ring of targets
+    int64_t query_ns;    // what the source says of the batch
+    int64_t wall_ns;     // monotonic clock from before the first command to drained
+    int64_t drained_ns;  // K frames, each drained by itself: the sum of their wall times
+    int64_t samples;     // samples that passed in the batch, and in one frame; -1 where
+    int64_t samples_one; // the API cannot count them
+    bool disjoint;
+};
+
+struct sb_timer_source {
+    const char *name;      // "elapsed+flush": the word in --timer and timer_source
+    bool usable;           // the context has what it needs
+    int bits;              // GL_QUERY_COUNTER_BITS; 0 for wall
+    double granularity_ns; // smallest non-zero difference seen between short readings
+    double empty_ns;       // median of a query around nothing
+    // Filled by sb_audit_judge:
+    bool credible;
+    double error;     // largest |query/wall - 1| over loads, sizes, batch lengths;
+                      // NAN where none could be judged; 0 for wall, the yardstick
+    char reason[160]; // why it is not credible, or "" : one clause, for people
+};
+
+struct sb_audit {
+    struct sb_timer_source source[SB_TIMER_MAX]; // in ladder order
+    int source_count;
+    struct sb_timer_reading reading[SB_READING_MAX];
+    int reading_count;
+    int chosen; // filled by the judge: first credible source, or -1
+};
+
+// Judges every usable source over the readings, fills credible, error, reason and chosen.
+//
+// Readings of equal source, load, size and batch length repeat each other; disjoint ones
+// are left out, and ratios are judged by their median over the repeats. A source is
+// credible when all of this holds:
+//
+// - it has counter bits, or reads no query (query_ns equals wall_ns throughout);
+// - no reading is negative, not all are disjoint, and at most a quarter is absurd (over
+//   ten times its wall; the first query of a context may be);
+// - samples that passed in K frames are K times one frame's, and the fragment load's more
+//   than none;
+// - query/wall lies in [1 - tolerance - 0.03, 1 + tolerance]: a drained wall is a little
+//   longer than the work itself. Judged from 2 ms of wall on, since shorter batches are
+//   mostly overhead; each load must have such batches;
+// - K >= 2 frames of the fragment load in a batch take at least 0.8 of K drained frames,
+//   else draws were dropped. Judged where a drained frame takes 1 ms or more, so that the
+//   draining itself counts for little; there must be such batches. The vertex load is
+//   exempt: the vertex work of a frame may overlap the pixels of the frame before, which
+//   draining forbids;
+// - twice the frames read as 0.8 to 1.25 times twice the time, from 2 ms of wall on. These
+//   are two batches, whose noise does not cancel as that of two clocks over one batch
+//   does. For the vertex load 0.7 will do: two stages that overlap fully turn 2 and 4
+//   units of time into 2 and 3.
+void sb_audit_judge(struct sb_audit *audit, double tolerance);
+
+// --- precision ---------------------------------------------------------------------------
+
+enum sb_effective {
+    SB_EFFECTIVE_UNKNOWN,
+    SB_EFFECTIVE_FP32,
+    SB_EFFECTIVE_FP16,
+    SB_EFFECTIVE_OTHER
+};
+
+// Results of chained operations on uniforms, in one stage at one declared precision
+// (docs/method.md has the table; two operations at least, since drivers fold single ones).
+struct sb_precision_reading {
+    bool vertex_stage;
+    int precision; // 0 highp 1 mediump 2 lowp
+    float add;     // (a+b)+b, a = 2048, b = 1:              2050 fp32, 2048 fp16
+    float square;  // (a*a)/a, a = 256:                      256 fp32, inf fp16
+    float tiny;    // ((2^-14*2^-6)*2^10)*2^10:              1 kept, 0 flushed (fp16)
+    float
+        round; // (a+b)*c-a, 1, 1.5*2^-11, 1:            1.5*2^-11 fp32; RNE 2^-10; RTZ 0
+    float nan_left;  // max(0/0, 1)
+    float nan_right; // max(1, 0/0)
+    float pow_zero;  // pow(0, 0)
+};
+
+struct sb_precision_verdict {
+    enum sb_effective effective; // OTHER: a mixture of the two, or neither; UNKNOWN is
+                                 // never given: it stands for "not probed"
+    bool overflow_inf;           // else saturates (fp16 only)
+    bool subnormals;             // kept (fp16 only)
+    bool round_nearest;          // else towards zero (fp16 only)
+    char text[160]; // "honoured as fp16 (overflow to inf, subnormals kept, round to
+                    // nearest even)", "ignored: fp32", "partly: …"
+};
+void sb_precision_judge(const struct sb_precision_reading *reading,
+                        struct sb_precision_verdict *verdict);
