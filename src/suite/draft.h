@@ -1,0 +1,48 @@
+// A suite as read, before it is multiplied out. Everything lives in the suite's arena.
+#pragma once
+
+#include "suite/suite.h"
+#include "suite/values.h"
+#include "suite/yaml.h"
+
+struct sb_dimension { // an axis and the values it takes
+    int axis;
+    const double *value;
+    int count;
+};
+struct sb_dimensions {
+    struct sb_dimension row[SB_AXIS_MAX];
+    int count;
+};
+
+struct sb_draft {
+    const char *origin; // stands before messages about the suite as a whole
+    struct sb_variant base;
+    struct sb_dimensions sweep, cross;
+    const char *const *exclude, *const *scene;
+    int exclude_count, scene_count;
+};
+
+// Whether `root` has only keys that a suite, or a preset, may have.
+bool sb_draft_keys(const struct sb_yaml *root, bool preset, struct sb_error *err);
+
+// Adds the axes that `root` declares to suite->axes.
+bool sb_draft_axes(const struct sb_yaml *root, struct sb_suite *suite,
+                   struct sb_error *err);
+
+// Reads the other keys into `draft`, over what is there, and into suite's name, about and
+// measure.
+bool sb_draft_read(const struct sb_yaml *root, struct sb_suite *suite,
+                   struct sb_draft *draft, struct sb_error *err);
+
+// --set, --sweep and --cross: each axis first loses the values that the file gives it in
+// sweep and cross.
+bool sb_draft_assign(const struct sb_suite_params *params, struct sb_suite *suite,
+                     struct sb_draft *draft, struct sb_error *err);
+
+// Fills suite->entry.
+bool sb_draft_expand(const struct sb_draft *draft, struct sb_suite *suite,
+                     struct sb_error *err);
+
+// A name that can stand in a path or a column: letters, digits, - and _.
+bool sb_suite_name_valid(const char *name);
