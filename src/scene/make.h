@@ -1,0 +1,105 @@
+// What the scenes are made of; for src/scene/ and its tests only. Everything is computed
+// in double, in the scene's own units, and rounded to float once, when it is placed.
+#pragma once
+
+#include "math/mat.h"
+#include "scene/scene.h"
+
+#define SB_DEGREE (SB_PI / 180)
+
+// --- the axes that place a scene: p becomes p * scale + offset (1, 1, 1) ---------------
+
+struct sb_placement {
+    double scale, offset;
+    double aspect; // of the target, width to height
+};
+struct sb_placement sb_placement_of(const struct sb_variant *variant);
+struct sb_vec3 sb_placed(const struct sb_placement *place, struct sb_vec3 point);
+
+struct sb_camera_params {
+    struct sb_vec3 eye, target;
+    double fov; // radians, of the shorter side of the target: what a square one shows,
+                // every shape shows
+    double near, far; // before scaling
+};
+struct sb_camera sb_camera_make(const struct sb_placement *place,
+                                const struct sb_camera_params *params);
+
+struct sb_draw sb_draw_make(const struct sb_placement *place, int mesh, int material,
+                            struct sb_mat4 model);
+
+// --- meshes ----------------------------------------------------------------------------
+
+// The cube from -1/2 to 1/2, each face cut into cells x cells squares: 12 cells^2
+// triangles.
+struct sb_mesh sb_mesh_cube(struct sb_arena *arena, int cells);
+
+// The unit sphere by latitude and longitude, poles at +-y: 2 slices (stacks - 1)
+// triangles. stacks >= 2, slices >= 3. u = 1/2 faces +z.
+struct sb_mesh sb_mesh_sphere(struct sb_arena *arena, int stacks, int slices);
+
+// A rectangle in the plane z = 0 around the origin, facing +z, with tiles of 1 x 1 unit:
+// 2 columns rows triangles.
+struct sb_mesh sb_mesh_plane(struct sb_arena *arena, double width, double height,
+                             int columns, int rows);
+
+// --- textures --------------------------------------------------------------------------
+
+// A crate: boards in a metal frame. The boards have no specular reflection.
+void sb_texture_make(struct sb_arena *arena, struct sb_texture map[SB_MAP_COUNT]);
+
+// --- lights ----------------------------------------------------------------------------
+
+struct sb_light_params {
+    struct sb_vec3 position, direction;
+    struct sb_vec3 ambient, diffuse, specular;
+    double range, constant, linear, quadratic; // range before scaling
+    double inner, outer;                       // half angles of the cone, radians
+    double exponent;
+};
+
+// Light number i of a list of any length, so that shorter lists are beginnings of longer.
+typedef struct sb_light_params (*sb_light_maker)(int i);
+
+void sb_lights_make(struct sb_scene *scene, const struct sb_placement *place,
+                    const sb_light_maker maker[SB_LIGHT_TYPE_COUNT],
+                    const struct sb_variant *variant);
+
+// Light number i's own point in the unit cube: evenly spread for every length of the
+// list.
+struct sb_vec3 sb_light_spread(int i);
+
+// A unit vector at most acos(cos_limit) away from `axis`, which must not be parallel to
+// y; (u, v) in the unit square map to the cap evenly.
+struct sb_vec3 sb_light_cap(struct sb_vec3 axis, double cos_limit, double u, double v);
+
+// A colour of light number i, neighbours far apart in hue, no component above `intensity`
+// or below a tenth of it, so that no surface is blind to it; ambient is a sixteenth of
+// it, as in the text of `containers`.
+void sb_light_colour(struct sb_light_params *light, int i, double intensity);
+
+// The text's sun, which is the first directional light of every scene; others, from
+// within 60 degrees of +z; and the text's flashlight, held at the eye and pointing along
+// -z.
+struct sb_light_params sb_light_sun(void);
+struct sb_light_params sb_light_from_front(int i);
+struct sb_light_params sb_light_torch(struct sb_vec3 eye);
+
+// --- scenes ----------------------------------------------------------------------------
+
+struct sb_scene_parts {
+    const struct sb_mesh *mesh;
+    const struct sb_draw *draw; // already placed
+    int mesh_count, draw_count;
+    const struct sb_material *material; // one for all
+    float ambient, clear;               // grey
+    struct sb_camera_params camera;
+    sb_light_maker light[SB_LIGHT_TYPE_COUNT];
+};
+// Copies the parts, places camera and lights as the variant says, and adds the textures.
+void sb_scene_fill(struct sb_scene *scene, const struct sb_scene_parts *parts,
+                   const struct sb_variant *variant);
+
+void sb_scene_containers(struct sb_scene *scene, const struct sb_variant *variant);
+void sb_scene_sphere(struct sb_scene *scene, const struct sb_variant *variant);
+void sb_scene_plane(struct sb_scene *scene, const struct sb_variant *variant);
