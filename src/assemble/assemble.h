@@ -1,0 +1,45 @@
+// From a plan entry and a driver's caps to a job: `auto` values decided, limits checked,
+// GLSL put together.
+#pragma once
+
+#include "base/text.h"
+#include "glsl/glsl.h"
+#include "job/job.h"
+
+struct sb_assemble_params {
+    const char *data_dir; // holds shaders/
+    const char *shaders;  // another shader folder; NULL: data_dir/shaders
+    const struct sb_axes *axes;
+    const char *scene;
+    const struct sb_variant *variant; // resolved
+    const struct sb_caps *caps;
+    uint32_t id; // of the job
+};
+
+struct sb_assembly {   // owns the job's texts; the job points into it: do not move it
+    struct sb_job job; // job.variant: with every `auto` decided
+    struct sb_program program[1];
+    struct sb_glsl_source vertex, fragment;
+    uint64_t source_hash; // of both texts
+    bool lit_per_vertex;  // the lighting is evaluated in the vertex shader
+    struct sb_arena arena;
+};
+
+// SB_OVER_LIMIT names the limit, what the driver has and what the variant wants;
+// SB_BAD_INPUT: a #version that the context cannot take, or shaders that cannot be read.
+// *assembly must be zeroed; free also after failure.
+bool sb_assemble(const struct sb_assemble_params *params, struct sb_assembly *assembly,
+                 struct sb_error *err);
+void sb_assembly_free(struct sb_assembly *assembly);
+
+// A driver's compile log with the original files and lines.
+void sb_assembly_explain(const struct sb_assembly *assembly,
+                         const struct sb_prepared *prepared, struct sb_text *text);
+
+// Runs glslangValidator over both stages, linked. SB_COMPILE_FAILED with its first message
+// at the original line; SB_USAGE where the program is not installed.
+bool sb_assembly_validate(const struct sb_assembly *assembly, struct sb_error *err);
+
+// Caps of a generous driver that does not exist, for `show`, `--validate` and tests: GL 4.6
+// or GLES 3.2 with every limit high.
+void sb_caps_ideal(bool gles, struct sb_caps *caps);

@@ -1,0 +1,24 @@
+// What a variant leaves open, decided by what the driver has.
+#pragma once
+
+#include "job/job.h"
+
+struct sb_glsl_version { // one value of the glsl axis
+    int value;           // SB_GLSL_330
+    const char *text;    // what follows #version: "330 core"
+    int64_t number;      // as caps.glsl counts: 330
+    bool gles;
+    const char *family; // GLSL_FAMILY, and a file in shaders/version/
+};
+
+// Decides glsl=auto and writes the value into the variant; NULL with SB_BAD_INPUT, which
+// names the valid words, where the context cannot take the version.
+const struct sb_glsl_version *sb_decide_version(const struct sb_axes *axes,
+                                                const struct sb_caps *caps,
+                                                struct sb_variant *variant,
+                                                struct sb_error *err);
+
+// Decides storage=auto and writes the value into the variant. Call after the version.
+// SB_OVER_LIMIT where the lights fit nowhere, or not where the variant wants them.
+bool sb_decide_storage(const struct sb_axes *axes, const struct sb_caps *caps,
+                       struct sb_variant *variant, struct sb_error *err);

@@ -1,0 +1,82 @@
+#include <stdlib.h>
+
+#include "assemble/platform.h"
+
+// The environment of each value of the driver axis. Mesa: docs.mesa3d.org/envvars.html
+static const struct {
+    int driver;
+    const char *name, *value;
+} environment[] = {
+    {SB_DRIVER_LLVMPIPE, "LIBGL_ALWAYS_SOFTWARE", "1"},
+    {SB_DRIVER_LLVMPIPE, "GALLIUM_DRIVER", "llvmpipe"},
+    {SB_DRIVER_SOFTPIPE, "LIBGL_ALWAYS_SOFTWARE", "1"},
+    {SB_DRIVER_SOFTPIPE, "GALLIUM_DRIVER", "softpipe"},
+    {SB_DRIVER_ZINK, "LIBGL_ALWAYS_SOFTWARE", "1"},
+    {SB_DRIVER_ZINK, "GALLIUM_DRIVER", "zink"},
+    {SB_DRIVER_ZINK, "MESA_LOADER_DRIVER_OVERRIDE", "zink"},
+    {SB_DRIVER_ZINK, "XDG_RUNTIME_DIR", "/tmp"}, // lavapipe's loader wants one
+};
+
+static bool check_equal(const struct sb_suite *suite, struct sb_error *err)
+{
+    const struct sb_variant *first = &suite->entry[0].variant;
+    for (int a = 0; a < suite->axes.count; a++) {
+        // The GLSL version is a matter of each program, not of the context.
+        if (suite->axes.row[a].kind != SB_PLATFORM || a == SB_AXIS_GLSL)
+            continue;
+        for (int i = 1; i < suite->entry_count; i++)
+            if (suite->entry[i].variant.value[a] != first->value[a])
+                return sb_fail(err, SB_BAD_INPUT,
+                               "%s differs between variants; one run has one driver, so "
+                               "give it in `base` or with --%s, and run once for each",
+                               suite->axes.row[a].name, suite->axes.row[a].name);
+    }
+    return true;
+}
+
+bool sb_platform_apply(const struct sb_suite *suite, struct sb_context_params *params,
+                       struct sb_error *err)
+{
+    if (!check_equal(suite, err))
+        return false;
+    const double *value = suite->entry[0].variant.value;
+    for (size_t i = 0; i < sizeof environment / sizeof *environment; i++)
+        if (environment[i].driver == (int)value[SB_AXIS_DRIVER])
+            setenv(environment[i].name, environment[i].value, 0);
+    if (value[SB_AXIS_THREADS] >= 0) {
+        char number[32];
+        setenv("LP_NUM_THREADS", sb_number_text(value[SB_AXIS_THREADS], number), 1);
+    }
+    // A compile time that a disk cache answered is not one; whoever wants it can say so.
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
+    setenv("__GL_SHADER_DISK_CACHE", "0", 0);
+    const struct sb_axis *context = &suite->axes.row[SB_AXIS_CONTEXT];
+    params->context = context->values[(int)value[SB_AXIS_CONTEXT]].name;
+    params->gles = value[SB_AXIS_API] == SB_API_GLES;
+    return true;
+}
+
+void sb_platform_record(const struct sb_caps *caps, struct sb_variant *variant)
+{
+    const struct sb_axis *context = &sb_axes_builtin()->row[SB_AXIS_CONTEXT];
+    const int value = sb_axis_value_find(context, caps->context);
+    if (value >= 0)
+        variant->value[SB_AXIS_CONTEXT] = value;
+}
+
+struct sb_asked_precision sb_platform_precision(const struct sb_variant *variant)
+{
+    const double *value = variant->value;
+    struct sb_asked_precision asked = {
+        .vertex_stage = value[SB_AXIS_STAGE] == SB_STAGE_VERTEX,
+        .uniform = true,
+        .lowest = (int)value[SB_AXIS_P_POSITION],
+    };
+    // The terms stand together in the table, each with highp, mediump, lowp in this order.
+    for (int a = SB_AXIS_P_POSITION + 1; a <= SB_AXIS_P_SAMPLER; a++) {
+        asked.uniform &= value[a] == value[a - 1];
+        if ((int)value[a] > asked.lowest)
+            asked.lowest = (int)value[a];
+    }
+    return asked;
+}
