@@ -1,0 +1,113 @@
+// The seam: what the upper half (deciding, judging) and the lower half (running) say to
+// each other. Plain data only, so that a pipe can carry it.
+//
+//   open -> caps; audit; probe; prepare(job) -> prepared; round(shots) -> samples;
+//   image(request) -> pixels; release(job); close
+//
+// A round is one message: calibration, order, looks and stopping live above the seam.
+#pragma once
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "axis/variant.h"
+#include "image/image.h"
+#include "stats/audit.h"
+
+struct sb_context_params {
+    const char *context; // "egl", "osmesa", "glfw", "null"; "auto": the first that opens
+    bool gles;           // OpenGL ES; else desktop OpenGL, core profile
+    int device;          // EGL device number; -1: the default display
+};
+
+// What a driver has. A limit of 0: it has none of that kind. One list, caps.def.
+struct sb_caps {
+    char context[32];
+#define CAP_TEXT(name, help)   char name[160];
+#define CAP_NUMBER(name, help) int64_t name;
+#include "job/caps.def"
+#undef CAP_TEXT
+#undef CAP_NUMBER
+};
+
+struct sb_program {   // final GLSL, by role
+    const char *role; // "shade"; later "shadow"
+    const char *vertex, *fragment;
+};
+
+struct sb_job {  // one variant ready to draw
+    uint32_t id; // chosen by the caller, unique until released
+    struct sb_variant variant;
+    const char *scene; // generated again by the runner; hashes are compared
+    const struct sb_program *program;
+    int program_count;
+};
+
+struct sb_prepared {
+    struct sb_error error; // OK, COMPILE_FAILED, OVER_LIMIT, GL_ERROR, BAD_INPUT
+    int failed_program;    // COMPILE_FAILED: which program …
+    enum sb_failed_stage { SB_STAGE_LINK, SB_STAGE_VERT, SB_STAGE_FRAG } failed_stage;
+    char *log; // … and the driver's words; malloc'd, the caller frees
+    double compile_ms, link_ms,
+        first_draw_ms;    // first draw: in the exact measured state, drained
+    int64_t vertices;     // per frame, all draws and layers
+    int64_t fragments;    // covered pixels of the id target, times layers
+    int64_t gl_calls;     // per frame
+    uint64_t input_hash;  // of every float uploaded
+    uint64_t binary_hash; // of the program binaries; 0: the driver has none
+};
+
+struct sb_shot {
+    uint32_t job;
+    int frames; // whole frames in the timed batch
+    int shrink; // 1; 2 halves width and height (the fragment-bound check)
+};
+
+enum { SB_SAMPLE_DISJOINT = 1, SB_SAMPLE_ABSURD = 2, SB_SAMPLE_LOST = 4 };
+
+struct sb_sample {
+    uint32_t job;
+    int frames;
+    int64_t gpu_ns;    // by the timer in use; SB_NO_TIME: that timer reads no query
+    int64_t wall_ns;   // from before the first command until drained
+    int64_t cpu_ns;    // process CPU time, all threads, over the same span
+    int64_t submit_ns; // until the last command was issued
+    unsigned flags;
+};
+#define SB_NO_TIME INT64_MIN // 0 ns is a value, never "none"
+
+struct sb_image_request {
+    uint32_t job;
+    enum sb_image_kind {
+        SB_IMAGE_COLOUR, // 4 channels, from the job's own program and target format
+        SB_IMAGE_ID,     // 1 channel: 0 background, else draw number + 1
+    } kind;
+    int width, height; // 0: the job's own
+    bool wide;         // draw to the widest float format there is, not the job's own, so
+                       // that nothing is clamped or rounded away
+    // Lights [off_first, off_first + off_count) of the whole list, directional lights first,
+    // then point, then spot, are uploaded black. off_count 0: all shine.
+    int off_first, off_count;
+};
+
+struct sb_precision_probe {
+    struct sb_precision_reading reading[6]; // fragment highp mediump lowp, then vertex
+    int count;
+};
+
+struct sb_runner_fns {
+    const char *name, *help;
+    void *(*open)(const struct sb_context_params *, struct sb_caps *, struct sb_error *);
+    bool (*audit)(void *, struct sb_audit *, struct sb_error *); // reads, never judges
+    bool (*use_timer)(void *, int source, struct sb_error *); // a place in audit.source
+    bool (*probe)(void *, struct sb_precision_probe *, struct sb_error *);
+    bool (*prepare)(void *, const struct sb_job *, struct sb_prepared *);
+    bool (*round)(void *, const struct sb_shot *, int count, struct sb_sample *,
+                  struct sb_error *); // in this order
+    bool (*image)(void *, const struct sb_image_request *, struct sb_image *,
+                  struct sb_error *);
+    void (*release)(void *, uint32_t job);
+    void (*close)(void *);
+};
+
+extern const struct sb_runner_fns sb_runner_null; // job/null.h

@@ -1,0 +1,113 @@
+#include <math.h>
+
+#include "base/clock.h"
+#include "measure/calibrate.h"
+#include "measure/interrupt.h"
+
+enum { MAX_BATCH = 4096 };
+
+// One shot's time for the whole batch, in ns, by the timer in use.
+static bool shoot(const struct sb_driver *driver, const struct sb_shot *shot, double *ns,
+                  struct sb_error *err)
+{
+    struct sb_sample sample;
+    if (!driver->fns->round(driver->runner, shot, 1, &sample, err))
+        return false;
+    *ns = (double)(sample.gpu_ns == SB_NO_TIME ? sample.wall_ns : sample.gpu_ns);
+    return true;
+}
+
+// The least of three: a preemption only ever adds.
+static bool shoot_least(const struct sb_driver *driver, const struct sb_shot *shot,
+                        double *ns, struct sb_error *err)
+{
+    *ns = INFINITY;
+    for (int i = 0; i < 3; i++) {
+        double one;
+        if (!shoot(driver, shot, &one, err))
+            return false;
+        *ns = fmin(*ns, one);
+    }
+    return true;
+}
+
+static double wanted_ns(const struct sb_driver *driver,
+                        const struct sb_measure_settings *settings)
+{
+    const struct sb_timer_source *source = &driver->audit.source[driver->timer];
+    const double floor = fmax(1000 * source->granularity_ns, 50 * source->empty_ns);
+    return fmin(fmax(floor, settings->batch_ms * 1e6),
+                fmax(20e6, settings->batch_ms * 1e6));
+}
+
+bool sb_calibrate_batch(struct sb_task *task, const struct sb_driver *driver,
+                        const struct sb_measure_settings *settings, struct sb_error *err)
+{
+    task->batch = settings->batch > 0 ? (int)settings->batch : 1;
+    if (settings->batch > 0)
+        return true;
+    const double wanted = wanted_ns(driver, settings);
+    for (int step = 0; step < 16; step++) {
+        double ns;
+        const struct sb_shot shot = {task->assembly.job.id, task->batch, 1};
+        if (!shoot_least(driver, &shot, &ns, err))
+            return false;
+        if (ns >= wanted || task->batch >= MAX_BATCH)
+            break;
+        // Grow by what is missing, at most tenfold: short batches are the least exact.
+        const double factor = fmin(fmax(wanted / fmax(ns, 1), 1.1), 10);
+        task->batch = (int)fmin(ceil(task->batch * factor), MAX_BATCH);
+    }
+    return true;
+}
+
+bool sb_warm_up(struct sb_task *tasks, int count, const struct sb_driver *driver,
+                const struct sb_measure_settings *settings, struct sb_error *err)
+{
+    const int64_t limit = (int64_t)(1e9 * fmin(settings->budget / 20, 1));
+    const int64_t begin = sb_clock_ns();
+    double total[5] = {0};
+    for (int round = 0; !sb_interrupted(); round++) {
+        total[round % 5] = 0;
+        for (int i = 0; i < count; i++) {
+            double ns;
+            const struct sb_shot shot = {tasks[i].assembly.job.id, tasks[i].batch, 1};
+            if (!sb_task_sound(&tasks[i]))
+                continue;
+            if (!shoot(driver, &shot, &ns, err))
+                return false;
+            total[round % 5] += ns;
+        }
+        double least = INFINITY, most = 0;
+        for (int i = 0; i < 5; i++) {
+            least = fmin(least, total[i]);
+            most = fmax(most, total[i]);
+        }
+        if (round >= 4 && most <= 1.05 * least)
+            return true;
+        if (sb_clock_ns() - begin >= limit)
+            break;
+    }
+    for (int i = 0; i < count; i++)
+        if (sb_task_sound(&tasks[i]))
+            sb_task_note(&tasks[i], "no_steady_state before the first round");
+    return true;
+}
+
+bool sb_check_fragment_bound(struct sb_task *task, const struct sb_driver *driver,
+                             struct sb_error *err)
+{
+    double whole, quarter;
+    const uint32_t id = task->assembly.job.id;
+    // Batches of equal length, so that constant costs of a batch weigh on both alike.
+    const struct sb_shot large = {id, task->batch, 1}, small = {id, task->batch * 4, 2};
+    if (!shoot_least(driver, &large, &whole, err) ||
+        !shoot_least(driver, &small, &quarter, err))
+        return false;
+    const double growth = whole / (quarter / 4);
+    if (growth < 3) {
+        task->status = SB_NOT_FRAGMENT_BOUND;
+        sb_task_note(task, "4x the pixels take %.1fx the time", growth);
+    }
+    return true;
+}

@@ -1,0 +1,20 @@
+// Before the rounds: how many frames make a batch, is the driver warm, and is the time that
+// of the fragments?
+#pragma once
+
+#include "measure/task.h"
+
+// Frames a batch: the fewest that last max(1000 x granularity, 50 x an empty query, batch_ms),
+// but no more than a batch of 20 ms. Two readings must agree, or one preemption would fix the
+// batch too short.
+bool sb_calibrate_batch(struct sb_task *task, const struct sb_driver *driver,
+                        const struct sb_measure_settings *settings, struct sb_error *err);
+
+// Unrecorded rounds over all sound tasks until five totals agree within 5 %, for a twentieth of
+// the budget at most (1 s at most); notes `no_steady_state` otherwise.
+bool sb_warm_up(struct sb_task *tasks, int count, const struct sb_driver *driver,
+                const struct sb_measure_settings *settings, struct sb_error *err);
+
+// A quarter of the pixels must take a third of the time or less; else NOT_FRAGMENT_BOUND.
+bool sb_check_fragment_bound(struct sb_task *task, const struct sb_driver *driver,
+                             struct sb_error *err);

@@ -1,0 +1,134 @@
+#include <math.h>
+
+#include "measure/check.h"
+#include "scene/lights.h"
+
+enum {
+    LIGHT_CHECK_SIDE = 48
+}; // pixels; every scene keeps every light visible at this size
+
+static bool covered_and_lit(const struct sb_image *image, struct sb_task *task)
+{
+    bool lit = false;
+    task->nonfinite = sb_image_count_nonfinite(image);
+    task->negative = 0;
+    const long pixels = (long)image->width * image->height;
+    for (long i = 0; i < pixels; i++)
+        for (int c = 0; c < 3; c++) {
+            const float value = image->data[i * image->channels + c];
+            task->negative += value < 0;
+            lit |= value > 0;
+        }
+    return lit;
+}
+
+void sb_check_picture(struct sb_task *task, const struct sb_driver *driver)
+{
+    struct sb_error err = {0};
+    struct sb_image image = {0};
+    const struct sb_image_request request = {
+        .job = task->assembly.job.id,
+        .kind = SB_IMAGE_COLOUR,
+    };
+    if (!driver->fns->image(driver->runner, &request, &image, &err)) {
+        sb_task_fail(task, &err);
+        return;
+    }
+    const bool lit = covered_and_lit(&image, task);
+    if (task->nonfinite)
+        sb_fail(&err, SB_NON_FINITE, "%lld values of the picture are NaN or infinite",
+                (long long)task->nonfinite);
+    else if (task->prepared.fragments == 0)
+        sb_fail(&err, SB_BLANK, "the scene covers no pixel");
+    else if (!lit)
+        sb_fail(&err, SB_BLANK, "every pixel is black");
+    if (err.status != SB_OK)
+        sb_task_fail(task, &err);
+    sb_image_free(&image);
+}
+
+// The picture with some lights off.
+static bool small_picture(const struct sb_task *task, const struct sb_driver *driver,
+                          int first, int count, struct sb_image *image,
+                          struct sb_error *err)
+{
+    const struct sb_image_request request = {
+        .job = task->assembly.job.id,
+        .kind = SB_IMAGE_COLOUR,
+        .width = LIGHT_CHECK_SIDE,
+        .height = LIGHT_CHECK_SIDE,
+        .wide = true,
+        .off_first = first,
+        .off_count = count,
+    };
+    return driver->fns->image(driver->runner, &request, image, err);
+}
+
+// Does the picture change when lights [first, first + count) are off? If so, halves follow.
+static bool check_group(struct sb_task *task, const struct sb_driver *driver,
+                        const struct sb_image *all, int first, int count,
+                        struct sb_error *err)
+{
+    struct sb_image without = {0};
+    if (!small_picture(task, driver, first, count, &without, err))
+        return false;
+    struct sb_image_difference difference;
+    sb_image_compare(all, &without, &difference);
+    sb_image_free(&without);
+    if (difference.pixels == 0) {
+        struct sb_text name = {0};
+        sb_task_light_name(task, first, &name);
+        sb_fail(err, SB_DEAD_LIGHT, "%s%s changes no pixel", sb_text_get(&name),
+                count > 1 ? " (and every light of its group)" : "");
+        sb_text_free(&name);
+        return false;
+    }
+    if (count == 1)
+        return true;
+    return check_group(task, driver, all, first, count / 2, err) &&
+           check_group(task, driver, all, first + count / 2, count - count / 2, err);
+}
+
+static bool check_last_lights(struct sb_task *task, const struct sb_driver *driver,
+                              const struct sb_image *all, struct sb_error *err)
+{
+    int end = 0;
+    for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++) {
+        const int count = (int)task->entry->variant.value[sb_light_types[type].axis];
+        end += count;
+        if (count && !check_group(task, driver, all, end - 1, 1, err))
+            return false;
+    }
+    return true;
+}
+
+void sb_check_lights(struct sb_task *task, const struct sb_driver *driver, bool thorough)
+{
+    const int count = sb_task_light_count(task);
+    struct sb_error err = {0};
+    struct sb_image all = {0};
+    if (count == 0)
+        return;
+    const bool good = small_picture(task, driver, 0, 0, &all, &err) &&
+                      (thorough ? check_group(task, driver, &all, 0, count, &err)
+                                : check_last_lights(task, driver, &all, &err));
+    // Lit per vertex, a light may fall between the vertices: an error of the stage, that the
+    // reader should know of, but the program did its work.
+    if (!good && err.status == SB_DEAD_LIGHT && task->assembly.lit_per_vertex)
+        sb_task_note(task, "%s: it falls between the vertices", err.text);
+    else if (!good)
+        sb_task_fail(task, &err);
+    sb_image_free(&all);
+}
+
+void sb_check_same_code(struct sb_task *tasks, int count)
+{
+    for (int i = 1; i < count; i++) {
+        const uint64_t hash = tasks[i].prepared.binary_hash;
+        for (int j = 0; hash && j < i; j++)
+            if (tasks[j].prepared.binary_hash == hash) {
+                sb_task_note(&tasks[i], "same code as %s", tasks[j].entry->id);
+                break;
+            }
+    }
+}

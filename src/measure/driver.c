@@ -1,0 +1,103 @@
+#include <string.h>
+
+#include "base/log.h"
+#include "base/text.h"
+#include "base/words.h"
+#include "measure/driver.h"
+
+// The audit is a measurement too: another process may have had the cores for a while, so
+// a verdict of "none" is given a second reading before it is believed.
+static bool audit(struct sb_driver *driver, struct sb_error *err)
+{
+    for (int attempt = 0; attempt < 2; attempt++) {
+        if (!driver->fns->audit(driver->runner, &driver->audit, err))
+            return false;
+        sb_audit_judge(&driver->audit, SB_TIMER_TOLERANCE);
+        if (driver->audit.chosen >= 0)
+            break;
+        sb_debug("no timer source was credible; the audit is read again");
+    }
+    return true;
+}
+
+static bool no_timer(const struct sb_audit *audit, struct sb_error *err)
+{
+    struct sb_text why = {0};
+    for (int i = 0; i < audit->source_count; i++)
+        sb_text_printf(&why, "%s%s: %s", i ? "; " : "", audit->source[i].name,
+                       audit->source[i].usable ? audit->source[i].reason : "not there");
+    sb_fail(err, SB_NO_TIMER, "no timer source passed its audit (%s)", sb_text_get(&why));
+    sb_text_free(&why);
+    return false;
+}
+
+static bool choose_timer(struct sb_driver *driver, const char *wanted,
+                         struct sb_error *err)
+{
+    const struct sb_audit *audit = &driver->audit;
+    driver->timer = audit->chosen;
+    if (!wanted || strcmp(wanted, "auto") == 0)
+        return driver->timer >= 0 || no_timer(audit, err);
+    const char *names[SB_TIMER_MAX];
+    for (int i = 0; i < audit->source_count; i++) {
+        const struct sb_timer_source *source = &audit->source[i];
+        names[i] = source->name;
+        if (strcmp(source->name, wanted) != 0)
+            continue;
+        driver->timer = i;
+        if (source->credible)
+            return true;
+        return sb_fail(err, SB_NO_TIMER, "timer \"%s\" did not pass its audit: %s",
+                       wanted,
+                       source->usable ? source->reason : "the driver does not have it");
+    }
+    return sb_fail_unknown(err, "", "timer", wanted, names, audit->source_count);
+}
+
+bool sb_driver_examine(const struct sb_driver_params *params, struct sb_driver *driver,
+                       struct sb_error *err)
+{
+    *driver = (struct sb_driver){.fns = params->runner, .timer = -1};
+    driver->runner = params->runner->open(&params->context, &driver->caps, err);
+    if (!driver->runner)
+        return false;
+    if (!audit(driver, err) || !driver->fns->probe(driver->runner, &driver->probe, err)) {
+        sb_driver_close(driver);
+        return false;
+    }
+    for (int i = 0; i < driver->probe.count; i++)
+        sb_precision_judge(&driver->probe.reading[i], &driver->verdict[i]);
+    struct sb_error ignored;
+    if (!choose_timer(driver, params->timer, &ignored))
+        driver->timer = -1;
+    return true;
+}
+
+bool sb_driver_open(const struct sb_driver_params *params, struct sb_driver *driver,
+                    struct sb_error *err)
+{
+    if (!sb_driver_examine(params, driver, err))
+        return false;
+    if (choose_timer(driver, params->timer, err) &&
+        driver->fns->use_timer(driver->runner, driver->timer, err))
+        return true;
+    sb_driver_close(driver);
+    return false;
+}
+
+void sb_driver_close(struct sb_driver *driver)
+{
+    if (driver->runner)
+        driver->fns->close(driver->runner);
+    driver->runner = NULL;
+}
+
+const struct sb_precision_verdict *sb_driver_precision(const struct sb_driver *driver,
+                                                       bool vertex_stage, int precision)
+{
+    for (int i = 0; i < driver->probe.count; i++)
+        if (driver->probe.reading[i].vertex_stage == vertex_stage &&
+            driver->probe.reading[i].precision == precision)
+            return &driver->verdict[i];
+    return NULL;
+}

@@ -1,0 +1,39 @@
+// A driver, opened and proven: its caps, which of its timers tells the truth, and what it does
+// with precision qualifiers.
+#pragma once
+
+#include "job/job.h"
+
+struct sb_driver_params {
+    const struct sb_runner_fns *runner;
+    struct sb_context_params context;
+    const char *timer; // a source's name; NULL or "auto": the first credible one
+};
+
+struct sb_driver {
+    const struct sb_runner_fns *fns;
+    void *runner;
+    struct sb_caps caps;
+    struct sb_audit audit;
+    int timer; // place in audit.source
+    struct sb_precision_probe probe;
+    struct sb_precision_verdict verdict[6]; // of each reading of the probe
+};
+
+// How far a credible timer's reading of a long batch may be from the wall clock.
+#define SB_TIMER_TOLERANCE 0.05
+
+// Opens, audits, chooses a timer, probes. SB_NO_TIMER tells of every source why not; a source
+// that was asked for by name is used only if it is credible, too.
+bool sb_driver_open(const struct sb_driver_params *params, struct sb_driver *driver,
+                    struct sb_error *err);
+void sb_driver_close(struct sb_driver *driver);
+
+// As sb_driver_open, but it is no failure that no timer is credible (driver->timer is -1):
+// for `probe`, whose business it is to say so.
+bool sb_driver_examine(const struct sb_driver_params *params, struct sb_driver *driver,
+                       struct sb_error *err);
+
+// What a stage does with a precision (0 highp, 1 mediump, 2 lowp); NULL where not probed.
+const struct sb_precision_verdict *sb_driver_precision(const struct sb_driver *driver,
+                                                       bool vertex_stage, int precision);

@@ -1,0 +1,121 @@
+#include <math.h>
+#include <string.h>
+
+#include "base/clock.h"
+#include "job/caps.h"
+#include "measure/machine.h"
+#include "measure/record.h"
+
+json_t *sb_caps_json(const struct sb_caps *caps)
+{
+    json_t *object = json_object();
+    json_object_set_new(object, "context", json_string(caps->context));
+    for (int i = 0; i < sb_caps_row_count; i++) {
+        const void *field = (const char *)caps + sb_caps_rows[i].offset;
+        json_object_set_new(object, sb_caps_rows[i].name,
+                            sb_caps_rows[i].text ? json_string(field)
+                                                 : json_integer(*(const int64_t *)field));
+    }
+    return object;
+}
+
+json_t *sb_audit_json(const struct sb_driver *driver)
+{
+    json_t *list = json_array();
+    for (int i = 0; i < driver->audit.source_count; i++) {
+        const struct sb_timer_source *source = &driver->audit.source[i];
+        json_t *object = json_object();
+        json_object_set_new(object, "timer", json_string(source->name));
+        json_object_set_new(object, "usable", json_boolean(source->usable));
+        json_object_set_new(object, "chosen", json_boolean(i == driver->timer));
+        json_object_set_new(object, "credible", json_boolean(source->credible));
+        json_object_set_new(object, "error",
+                            isfinite(source->error) ? json_real(source->error)
+                                                    : json_null());
+        json_object_set_new(object, "bits", json_integer(source->bits));
+        json_object_set_new(object, "granularity_ns", json_real(source->granularity_ns));
+        json_object_set_new(object, "empty_ns", json_real(source->empty_ns));
+        json_object_set_new(object, "reason", json_string(source->reason));
+        json_array_append_new(list, object);
+    }
+    return list;
+}
+
+json_t *sb_precision_json(const struct sb_driver *driver)
+{
+    static const char *const words[] = {"highp", "mediump", "lowp"};
+    json_t *list = json_array();
+    for (int i = 0; i < driver->probe.count; i++) {
+        const struct sb_precision_reading *reading = &driver->probe.reading[i];
+        json_t *object = json_object();
+        json_object_set_new(object, "stage",
+                            json_string(reading->vertex_stage ? "vertex" : "fragment"));
+        json_object_set_new(object, "precision", json_string(words[reading->precision]));
+        json_object_set_new(object, "verdict", json_string(driver->verdict[i].text));
+        json_array_append_new(list, object);
+    }
+    return list;
+}
+
+static json_t *settings_json(const struct sb_measure_settings *settings)
+{
+    json_t *object = json_object();
+    for (int i = 0; i < sb_measure_row_count; i++)
+        json_object_set_new(object, sb_measure_rows[i].name,
+                            json_real(*(const double *)((const char *)settings +
+                                                        sb_measure_rows[i].offset)));
+    return object;
+}
+
+static json_t *entries_json(const struct sb_record_params *params)
+{
+    json_t *list = json_array();
+    for (int i = 0; i < params->task_count; i++) {
+        const struct sb_task *task = &params->task[i];
+        json_t *object = json_object();
+        json_object_set_new(object, "scene", json_string(task->entry->scene));
+        json_object_set_new(object, "variant", json_string(task->entry->id));
+        json_object_set_new(object, "batch", json_integer(task->batch));
+        json_object_set_new(
+            object, "source_hash",
+            json_sprintf("%016llx", (unsigned long long)task->assembly.source_hash));
+        json_array_append_new(list, object);
+    }
+    return list;
+}
+
+static json_t *processes_json(const struct sb_record_params *params,
+                              const json_t *earlier)
+{
+    json_t *list = json_deep_copy(json_object_get(earlier, "processes"));
+    if (!list)
+        list = json_array();
+    char now[32];
+    sb_timestamp(now);
+    json_t *object = json_object();
+    json_object_set_new(object, "process", json_integer(params->process));
+    json_object_set_new(object, "started", json_string(params->started));
+    json_object_set_new(object, "written", json_string(now));
+    json_object_set_new(object, "complete", json_boolean(params->complete));
+    json_object_set_new(object, "machine", sb_machine_json());
+    json_object_set_new(object, "timers", sb_audit_json(params->driver));
+    json_array_append_new(list, object);
+    return list;
+}
+
+json_t *sb_record_make(const struct sb_record_params *params, const json_t *earlier)
+{
+    const struct sb_suite *suite = params->suite;
+    json_t *run = json_object();
+    json_object_set_new(run, "shadebench", json_string(SB_VERSION));
+    json_object_set_new(run, "suite", json_string(suite->name));
+    json_object_set_new(run, "about", json_string(suite->about ? suite->about : ""));
+    json_object_set_new(run, "arguments", json_deep_copy(params->arguments));
+    json_object_set_new(run, "measure", settings_json(&suite->measure));
+    json_object_set_new(run, "caps", sb_caps_json(&params->driver->caps));
+    json_object_set_new(run, "precision", sb_precision_json(params->driver));
+    json_object_set_new(run, "environment", sb_environment_json());
+    json_object_set_new(run, "processes", processes_json(params, earlier));
+    json_object_set_new(run, "entries", entries_json(params));
+    return run;
+}

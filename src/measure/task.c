@@ -1,0 +1,120 @@
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "assemble/platform.h"
+#include "measure/task.h"
+#include "scene/lights.h"
+
+void sb_task_note(struct sb_task *task, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    if (task->note.length)
+        sb_text_add(&task->note, "; ");
+    sb_text_vprintf(&task->note, format, args);
+    va_end(args);
+}
+
+void sb_task_fail(struct sb_task *task, const struct sb_error *err)
+{
+    if (sb_status_rows[task->status].exit_code == 0)
+        task->status = err->status;
+    sb_task_note(task, "%s", err->text);
+    task->active = false;
+}
+
+bool sb_task_sound(const struct sb_task *task)
+{
+    return task->loaded && sb_status_rows[task->status].exit_code == 0;
+}
+
+int sb_task_light_count(const struct sb_task *task)
+{
+    int count = 0;
+    for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++)
+        count += (int)task->entry->variant.value[sb_light_types[type].axis];
+    return count;
+}
+
+void sb_task_light_name(const struct sb_task *task, int index, struct sb_text *text)
+{
+    for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++) {
+        const int count = (int)task->entry->variant.value[sb_light_types[type].axis];
+        if (index < count) {
+            sb_text_printf(text, "%s %d", sb_light_types[type].name, index);
+            return;
+        }
+        index -= count;
+    }
+}
+
+void sb_task_add_sample(struct sb_task *task, const struct sb_sample_row *row)
+{
+    task->sample =
+        sb_grow(task->sample, task->sample_count, &task->sample_capacity, sizeof *row);
+    task->sample[task->sample_count++] = *row;
+}
+
+double sb_sample_frame_ms(const struct sb_sample_row *row)
+{
+    if (row->flags != 0)
+        return NAN;
+    const int64_t ns = row->gpu_ns == SB_NO_COUNT ? row->wall_ns : row->gpu_ns;
+    return (double)ns / (double)row->batch * 1e-6;
+}
+
+void sb_task_free(struct sb_task *task, const struct sb_driver *driver)
+{
+    if (task->loaded)
+        driver->fns->release(driver->runner, task->assembly.job.id);
+    free(task->prepared.log);
+    free(task->sample);
+    sb_text_free(&task->note);
+    sb_assembly_free(&task->assembly);
+    *task = (struct sb_task){0};
+}
+
+static void fail_prepare(struct sb_task *task)
+{
+    struct sb_error *err = &task->prepared.error;
+    if (err->status == SB_COMPILE_FAILED && task->prepared.log) {
+        struct sb_text log = {0};
+        sb_assembly_explain(&task->assembly, &task->prepared, &log);
+        // The row takes one line; compilers say the cause first.
+        char *first = log.data ? log.data + strspn(log.data, "\n") : NULL;
+        if (first && *first) {
+            first[strcspn(first, "\n")] = '\0';
+            sb_fail(err, err->status, "%s", first);
+        }
+        sb_text_free(&log);
+    }
+    sb_task_fail(task, err);
+}
+
+void sb_task_prepare(struct sb_task *task, const struct sb_prepare_params *params,
+                     uint32_t id)
+{
+    const struct sb_driver *driver = params->driver;
+    const struct sb_assemble_params assemble = {
+        .data_dir = params->data_dir,
+        .shaders = params->shaders,
+        .axes = &params->suite->axes,
+        .scene = task->entry->scene,
+        .variant = &task->entry->variant,
+        .caps = &driver->caps,
+        .id = id,
+    };
+    struct sb_error err = {0};
+    task->nonfinite = task->negative = SB_NO_COUNT;
+    if (!sb_assemble(&assemble, &task->assembly, &err)) {
+        sb_task_fail(task, &err);
+        return;
+    }
+    sb_platform_record(&driver->caps, &task->assembly.job.variant);
+    task->loaded =
+        driver->fns->prepare(driver->runner, &task->assembly.job, &task->prepared);
+    if (!task->loaded)
+        fail_prepare(task);
+}

@@ -1,0 +1,61 @@
+// A task: one plan entry on its way from a variant to a row. Every stage of a run fills its
+// own part: prepare, check, calibrate, rounds; summary.c makes the row of it.
+#pragma once
+
+#include "assemble/assemble.h"
+#include "measure/driver.h"
+#include "results/row.h"
+#include "suite/suite.h"
+
+struct sb_task {
+    const struct sb_plan_entry *entry;
+    // prepare
+    struct sb_assembly assembly;
+    struct sb_prepared prepared;
+    bool loaded; // the runner holds the job
+    // any stage
+    enum sb_status status;
+    struct sb_text note; // clauses joined by "; "
+    // check
+    int64_t nonfinite, negative; // SB_NO_COUNT until checked
+    // calibrate
+    int batch; // frames a batch
+    // rounds
+    bool active;                  // still measured in this process
+    const char *stop;             // half_width, budget, rounds, interrupted
+    struct sb_sample_row *sample; // of all processes, in order of measuring
+    int sample_count, sample_capacity;
+};
+
+// Appends a clause to the note.
+void sb_task_note(struct sb_task *task, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+// The first failure stays: sets status, appends the text to the note, and takes the task out
+// of the measuring.
+void sb_task_fail(struct sb_task *task, const struct sb_error *err);
+
+// Is there anything left to measure? False once a check failed.
+bool sb_task_sound(const struct sb_task *task);
+
+// The light `index` of the task's whole list, as "point light 3".
+void sb_task_light_name(const struct sb_task *task, int index, struct sb_text *text);
+int sb_task_light_count(const struct sb_task *task);
+
+void sb_task_add_sample(struct sb_task *task, const struct sb_sample_row *row);
+
+// The time of a sample a frame in ms, by its timer source. NAN where flagged.
+double sb_sample_frame_ms(const struct sb_sample_row *row);
+
+// Releases the job and everything owned.
+void sb_task_free(struct sb_task *task, const struct sb_driver *driver);
+
+struct sb_prepare_params {
+    const struct sb_suite *suite;
+    const struct sb_driver *driver;
+    const char *data_dir, *shaders;
+};
+
+// Assembles and prepares: afterwards the task is loaded, or its status says why not.
+void sb_task_prepare(struct sb_task *task, const struct sb_prepare_params *params,
+                     uint32_t id);

@@ -1,0 +1,57 @@
+#include <math.h>
+
+#include "results/row.h"
+
+const struct sb_column sb_sample_columns[] = {
+#define SAMPLE(type, name, help)                                                         \
+    {#name, help, SB_##type, offsetof(struct sb_sample_row, name)},
+#define SUMMARY(type, name, help)
+#define AXES()
+#include "results/columns.def"
+#undef SAMPLE
+#undef SUMMARY
+#undef AXES
+};
+
+const struct sb_column sb_summary_columns[] = {
+#define SAMPLE(type, name, help)
+#define SUMMARY(type, name, help) {#name, help, SB_##type, offsetof(struct sb_row, name)},
+#define AXES()                    {NULL, NULL, SB_AXES, offsetof(struct sb_row, axes)},
+#include "results/columns.def"
+#undef SAMPLE
+#undef SUMMARY
+#undef AXES
+};
+
+const int sb_sample_column_count = sizeof sb_sample_columns / sizeof *sb_sample_columns;
+const int sb_summary_column_count =
+    sizeof sb_summary_columns / sizeof *sb_summary_columns;
+
+static void clear(void *row, const struct sb_column *columns, int count)
+{
+    for (int i = 0; i < count; i++) {
+        void *cell = (char *)row + columns[i].offset;
+        switch (columns[i].type) {
+        case SB_TEXT:
+        case SB_AXES:
+            *(const void **)cell = NULL;
+            break;
+        case SB_REAL:
+            *(double *)cell = NAN;
+            break;
+        case SB_COUNT:
+            *(int64_t *)cell = SB_NO_COUNT;
+            break;
+        }
+    }
+}
+
+void sb_row_init(struct sb_row *row)
+{
+    clear(row, sb_summary_columns, sb_summary_column_count);
+}
+
+void sb_sample_row_init(struct sb_sample_row *row)
+{
+    clear(row, sb_sample_columns, sb_sample_column_count);
+}
