@@ -1,0 +1,100 @@
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "assemble/platform.h"
+#include "base/file.h"
+#include "base/log.h"
+#include "base/words.h"
+#include "cli/common.h"
+#include "scene/scene.h"
+#ifdef SB_HAVE_GL
+#include "local/local.h"
+#endif
+
+int sb_cli_fail(const struct sb_error *err)
+{
+    sb_warn("%s", err->text);
+    return sb_status_rows[err->status].exit_code;
+}
+
+const char *sb_cli_suite_path(const char *word, const char *data_dir,
+                              struct sb_arena *arena, struct sb_error *err)
+{
+    if (strchr(word, '/') || strchr(word, '.'))
+        return word;
+    const char *folder = sb_path_join(arena, data_dir, "bench");
+    const char *path = sb_arena_printf(arena, "%s/%s.yaml", folder, word);
+    if (sb_file_exists(path))
+        return path;
+    int count;
+    char **names = sb_dir_list(arena, folder, ".yaml", &count, err);
+    if (!names)
+        return NULL;
+    for (int i = 0; i < count; i++)
+        names[i][strlen(names[i]) - strlen(".yaml")] = '\0';
+    sb_fail_unknown(err, "", "suite", word, (const char *const *)names, count);
+    return NULL;
+}
+
+bool sb_cli_load_suite(const struct sb_options *options, const char *path,
+                       const char *data_dir, struct sb_suite *suite, struct sb_error *err)
+{
+    const struct sb_suite_params params = {
+        .path = path,
+        .preset = options->preset,
+        .data_dir = data_dir,
+        .scene = options->scene,
+        .set = options->set.item,
+        .set_count = options->set.count,
+        .sweep = options->sweep.item,
+        .sweep_count = options->sweep.count,
+        .cross = options->cross.item,
+        .cross_count = options->cross.count,
+    };
+    bool good = sb_suite_load(&params, suite, err);
+    for (int i = 0; good && i < suite->entry_count; i++)
+        good = sb_scene_expect(suite->entry[i].scene, err) != NULL;
+    for (int i = 0; good && i < options->setting.count; i++)
+        good = sb_measure_set(&suite->measure, options->setting.item[i].axis,
+                              options->setting.item[i].values, err);
+    return good;
+}
+
+static bool parse_device(const char *text, int *device, struct sb_error *err)
+{
+    double number = -1;
+    if (text && (!sb_parse_number(text, &number) || number < 0 || number > 1024 ||
+                 number != (int)number))
+        return sb_fail(err, SB_USAGE, "--device %s: a whole number from 0 is wanted",
+                       text);
+    *device = (int)number;
+    return true;
+}
+
+bool sb_cli_driver_params(const struct sb_options *options, const struct sb_suite *suite,
+                          struct sb_driver_params *params, struct sb_error *err)
+{
+    *params = (struct sb_driver_params){.timer = options->timer};
+    if (!sb_platform_apply(suite, &params->context, err) ||
+        !parse_device(options->device, &params->context.device, err))
+        return false;
+    if (strcmp(params->context.context, "null") == 0)
+        params->runner = &sb_runner_null;
+#ifdef SB_HAVE_GL
+    else
+        params->runner = &sb_runner_local;
+#else
+    else
+        return sb_fail(err, SB_NO_GL, "built without GL: only --context null is there");
+#endif
+    return true;
+}
+
+void sb_cli_print_json(json_t *value)
+{
+    char *text = json_dumps(value, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
+    printf("%s\n", text ? text : "null");
+    free(text);
+    json_decref(value);
+}

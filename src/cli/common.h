@@ -1,0 +1,32 @@
+// What several subcommands share.
+#pragma once
+
+#include <jansson.h>
+
+#include "cli/options.h"
+#include "job/job.h"
+#include "measure/driver.h"
+
+int sb_cmd_probe(const struct sb_options *options, int argc, char **argv);
+int sb_cmd_list(const struct sb_options *options, int argc, char **argv);
+int sb_cmd_show(const struct sb_options *options, int argc, char **argv);
+int sb_cmd_run(const struct sb_options *options, int argc, char **argv);
+
+// Prints the error and returns its exit code.
+int sb_cli_fail(const struct sb_error *err);
+
+// A word with a slash or a dot is a path; else it names a shipped suite. The path, or NULL.
+const char *sb_cli_suite_path(const char *word, const char *data_dir,
+                              struct sb_arena *arena, struct sb_error *err);
+
+// Loads the suite that the options ask for: `path`, or without one (NULL) --set
+// and --sweep alone.
+bool sb_cli_load_suite(const struct sb_options *options, const char *path,
+                       const char *data_dir, struct sb_suite *suite,
+                       struct sb_error *err);
+
+// From options and the suite's platform axes; sets the driver's environment.
+bool sb_cli_driver_params(const struct sb_options *options, const struct sb_suite *suite,
+                          struct sb_driver_params *params, struct sb_error *err);
+
+void sb_cli_print_json(json_t *value); // steals the reference

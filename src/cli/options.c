@@ -1,0 +1,254 @@
+#include <stddef.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/log.h"
+#include "base/words.h"
+#include "cli/options.h"
+
+enum { PROBE = 1, LIST = 2, SHOW = 4, RUN = 8, ALL = 15 };
+
+enum option_type { FLAG, TEXT, ASSIGNMENT };
+
+struct option {
+    const char *name;
+    char letter;
+    const char *argument; // NULL: a flag
+    unsigned commands;
+    enum option_type type;
+    size_t offset;
+    const char *help;
+};
+
+#define AT(field) offsetof(struct sb_options, field)
+// clang-format off
+static const struct option options_table[] = {
+    {"set",      0,   "AXIS=VALUE", RUN|SHOW,       ASSIGNMENT, AT(set),      "give one axis a value, over the suite's; may be repeated"},
+    {"sweep",    0,   "AXIS=LIST",  RUN|SHOW,       ASSIGNMENT, AT(sweep),    "vary one axis, the others at their base: 1,2,4 or 0..32 step 4 or 1..64 x2"},
+    {"cross",    0,   "AXIS=LIST",  RUN|SHOW,       ASSIGNMENT, AT(cross),    "multiply all variants by these values"},
+    {"scene",    0,   "NAME",       RUN|SHOW,       TEXT,       AT(scene),    "the scene to draw (shadebench list scenes)"},
+    {"preset",   0,   "NAME",       RUN|SHOW,       TEXT,       AT(preset),   "start from a preset (shadebench list presets)"},
+    {"output",   'o', "DIR",        RUN,            TEXT,       AT(output),   "results folder; default: shadebench-results/SUITE-DATE"},
+    {"resume",   0,   "DIR",        RUN,            TEXT,       AT(resume),   "go on with an interrupted run, or with its next process"},
+    {"images",   0,   NULL,         RUN,            FLAG,       AT(images),   "write a PNG of each variant"},
+    {"validate", 0,   NULL,         SHOW,           FLAG,       AT(validate), "check the sources with glslangValidator"},
+    {"timer",    0,   "NAME",       RUN|PROBE,      TEXT,       AT(timer),    "timer source to use, if its audit allows; default: auto"},
+    {"device",   0,   "N",          RUN|PROBE,      TEXT,       AT(device),   "EGL device number, where there are several"},
+    {"shaders",  0,   "DIR",        RUN|SHOW,       TEXT,       AT(shaders),  "another shader folder"},
+    {"data",     0,   "DIR",        ALL,            TEXT,       AT(data),     "folder that holds shaders/ and bench/"},
+    {"json",     0,   NULL,         ALL,            FLAG,       AT(json),     "results on stdout as JSON"},
+    {"quiet",    'q', NULL,         ALL,            FLAG,       AT(quiet),    "no progress, warnings only"},
+    {"verbose",  'v', NULL,         ALL,            FLAG,       AT(verbose),  "say more"},
+    {"help",     'h', NULL,         ALL,            FLAG,       AT(help),     "this text"},
+};
+// clang-format on
+#undef AT
+enum { OPTION_COUNT = sizeof options_table / sizeof *options_table };
+
+// Names of all options of a command, for messages; returns their number.
+static int option_names(const struct sb_command *command, const char **names, int room,
+                        struct sb_arena *arena)
+{
+    int count = 0;
+    for (int i = 0; i < OPTION_COUNT && count < room; i++)
+        if (options_table[i].commands & command->bit)
+            names[count++] = sb_arena_printf(arena, "--%s", options_table[i].name);
+    for (int i = 0; (command->bit & RUN) && i < sb_measure_row_count && count < room;
+         i++) {
+        char *name = sb_arena_printf(arena, "--%s", sb_measure_rows[i].name);
+        for (char *p = name; *p; p++)
+            *p = *p == '_' ? '-' : *p;
+        names[count++] = name;
+    }
+    const struct sb_axes *axes = sb_axes_builtin();
+    for (int i = 0; !(command->bit & LIST) && i < axes->count && count < room; i++)
+        if (axes->row[i].kind == SB_PLATFORM)
+            names[count++] = sb_arena_printf(arena, "--%s", axes->row[i].name);
+    return count;
+}
+
+static bool unknown_option(const struct sb_command *command, const char *word,
+                           struct sb_arena *arena, struct sb_error *err)
+{
+    const char *names[64];
+    const int count = option_names(command, names, 64, arena);
+    return sb_fail_unknown(err, command->name, "option", word, names, count);
+}
+
+// `text` is axis=values; the origin names the option for messages about the value.
+static bool add_assignment(struct sb_assignments *list, const char *option,
+                           const char *text, struct sb_arena *arena, struct sb_error *err)
+{
+    const char *equals = strchr(text, '=');
+    if (!equals || equals == text)
+        return sb_fail(err, SB_USAGE, "--%s %s: AXIS=VALUE is wanted", option, text);
+    if (list->count == SB_ASSIGNMENTS_MAX)
+        return sb_fail(err, SB_USAGE, "--%s: more than %d of them", option,
+                       SB_ASSIGNMENTS_MAX);
+    char *axis = sb_arena_strdup(arena, text);
+    axis[equals - text] = '\0';
+    list->item[list->count++] = (struct sb_assignment){
+        .axis = axis,
+        .values = axis + (equals - text) + 1,
+        .origin = sb_arena_printf(arena, "--%s %s", option, text),
+    };
+    return true;
+}
+
+// --first-look 30 and --context egl: options that come from other tables.
+static bool derived_option(const struct sb_command *command, const char *name,
+                           const char *value, struct sb_options *options,
+                           struct sb_arena *arena, bool *known)
+{
+    char *plain = sb_arena_strdup(arena, name);
+    for (char *p = plain; *p; p++)
+        *p = *p == '-' ? '_' : *p;
+    struct sb_assignments *list = NULL;
+    for (int i = 0; (command->bit & RUN) && i < sb_measure_row_count; i++)
+        if (strcmp(sb_measure_rows[i].name, plain) == 0)
+            list = &options->setting;
+    const struct sb_axes *axes = sb_axes_builtin();
+    const int axis = sb_axes_find(axes, plain);
+    if (!(command->bit & LIST) && axis >= 0 && axes->row[axis].kind == SB_PLATFORM)
+        list = &options->set;
+    *known = list != NULL;
+    if (!list || !value || list->count == SB_ASSIGNMENTS_MAX)
+        return false;
+    list->item[list->count++] = (struct sb_assignment){
+        .axis = plain,
+        .values = value,
+        .origin = sb_arena_printf(arena, "--%s %s", name, value),
+    };
+    return true;
+}
+
+static const struct option *find_option(const struct sb_command *command,
+                                        const char *name, char letter)
+{
+    for (int i = 0; i < OPTION_COUNT; i++) {
+        const struct option *option = &options_table[i];
+        if ((option->commands & command->bit) &&
+            (letter ? option->letter == letter : strcmp(option->name, name) == 0))
+            return option;
+    }
+    return NULL;
+}
+
+// One option at argv[*i]; steps over its argument.
+static bool parse_option(const struct sb_command *command, int argc, char **argv, int *i,
+                         struct sb_options *options, struct sb_arena *arena,
+                         struct sb_error *err)
+{
+    const char *word = argv[*i];
+    const bool is_long = word[1] == '-';
+    char *name = sb_arena_strdup(arena, word + 1 + is_long);
+    char *value = is_long ? strchr(name, '=') : NULL;
+    if (value)
+        *value++ = '\0';
+    const char *next = value ? value : *i + 1 < argc ? argv[*i + 1] : NULL;
+    if (!is_long && name[1])
+        return unknown_option(command, word, arena, err);
+
+    const struct option *option = find_option(command, name, is_long ? 0 : name[0]);
+    if (option && option->type == FLAG) {
+        if (value)
+            return sb_fail(err, SB_USAGE, "--%s takes no value", option->name);
+        *(bool *)((char *)options + option->offset) = true;
+        return true;
+    }
+    bool known = option != NULL;
+    bool good = false;
+    if (option && next && option->type == TEXT) {
+        *(const char **)((char *)options + option->offset) = next;
+        good = true;
+    } else if (option && next) {
+        if (!add_assignment((void *)((char *)options + option->offset), option->name,
+                            next, arena, err))
+            return false;
+        good = true;
+    } else if (!option && is_long) {
+        good = derived_option(command, name, next, options, arena, &known);
+    }
+    if (!known)
+        return unknown_option(command, word, arena, err);
+    if (!good)
+        return sb_fail(err, SB_USAGE, "%s wants a value", word);
+    *i += !value;
+    return true;
+}
+
+bool sb_options_parse(const struct sb_command *command, int argc, char **argv,
+                      struct sb_options *options, struct sb_arena *arena,
+                      struct sb_error *err)
+{
+    bool only_words = false;
+    for (int i = 0; i < argc; i++) {
+        if (!only_words && strcmp(argv[i], "--") == 0) {
+            only_words = true;
+        } else if (!only_words && argv[i][0] == '-' && argv[i][1]) {
+            if (!parse_option(command, argc, argv, &i, options, arena, err))
+                return false;
+        } else if (options->word_count == SB_WORDS_MAX) {
+            return sb_fail(err, SB_USAGE, "more than %d words", SB_WORDS_MAX);
+        } else {
+            options->word[options->word_count++] = argv[i];
+        }
+    }
+    if (options->quiet)
+        sb_log_set_level(SB_LOG_QUIET);
+    else if (options->verbose)
+        sb_log_set_level(SB_LOG_VERBOSE);
+    return true;
+}
+
+static void help_line(const char *name, const char *argument, char letter,
+                      const char *help)
+{
+    char left[64];
+    const int shown = snprintf(left, sizeof left, "%c%c%c --%s%s%s", letter ? '-' : ' ',
+                               letter ? letter : ' ', letter ? ',' : ' ', name,
+                               argument ? " " : "", argument ? argument : "");
+    for (char *p = left; *p; p++)
+        *p = *p == '_' && p < left + shown ? '-' : *p;
+    printf("  %-26s %s\n", left, help);
+}
+
+static void program_help(void)
+{
+    printf(
+        "shadebench measures GLSL lighting shaders: time and error of every variant.\n\n"
+        "usage: shadebench COMMAND [WORD...] [OPTION...]\n\n");
+    for (int i = 0; i < sb_command_count; i++)
+        printf("  %-8s %s\n", sb_commands[i].name, sb_commands[i].help);
+    printf("\nshadebench COMMAND --help tells more. Start with: shadebench run lights\n");
+}
+
+void sb_options_help(const struct sb_command *command)
+{
+    if (!command) {
+        program_help();
+        return;
+    }
+    printf("usage: shadebench %s %s [OPTION...]\n%s\n\n", command->name, command->words,
+           command->details);
+    for (int i = 0; i < OPTION_COUNT; i++)
+        if (options_table[i].commands & command->bit)
+            help_line(options_table[i].name, options_table[i].argument,
+                      options_table[i].letter, options_table[i].help);
+    const struct sb_axes *axes = sb_axes_builtin();
+    if (!(command->bit & LIST))
+        printf("\nplatform, each also as --set NAME=VALUE:\n");
+    for (int i = 0; !(command->bit & LIST) && i < axes->count; i++)
+        if (axes->row[i].kind == SB_PLATFORM)
+            help_line(axes->row[i].name, axes->row[i].values ? "WORD" : "N", 0,
+                      axes->row[i].help);
+    if (!(command->bit & RUN))
+        return;
+    printf("\nmeasuring, each also under `measure:` in a suite:\n");
+    for (int i = 0; i < sb_measure_row_count; i++) {
+        char help[256], init[32];
+        snprintf(help, sizeof help, "%s [%s]", sb_measure_rows[i].help,
+                 sb_number_text(sb_measure_rows[i].init, init));
+        help_line(sb_measure_rows[i].name, "N", 0, help);
+    }
+}

@@ -1,0 +1,39 @@
+// The command line: one table of options, one of commands; parser, --help and completion come
+// from them. Every measure setting is an option (--first-look 30), and so is every platform
+// axis (--context osmesa is --set context=osmesa).
+#pragma once
+
+#include "base/mem.h"
+#include "suite/suite.h"
+
+enum { SB_ASSIGNMENTS_MAX = 64, SB_WORDS_MAX = 64 };
+
+struct sb_assignments {
+    struct sb_assignment item[SB_ASSIGNMENTS_MAX];
+    int count;
+};
+
+// Parsed options; zero where not given.
+struct sb_options {
+    const char *data, *shaders, *preset, *scene, *output, *resume, *timer, *device;
+    bool json, quiet, verbose, help, images, validate;
+    struct sb_assignments set, sweep, cross, setting;
+    const char *word[SB_WORDS_MAX]; // what is no option
+    int word_count;
+};
+
+struct sb_command {
+    const char *name, *words, *help, *details;
+    unsigned bit;
+    int (*run)(const struct sb_options *options, int argc, char **argv);
+};
+extern const struct sb_command sb_commands[];
+extern const int sb_command_count;
+
+// Parses what stands behind the command. SB_USAGE names the word and the nearest option.
+// Texts are argv's or live in `arena`.
+bool sb_options_parse(const struct sb_command *command, int argc, char **argv,
+                      struct sb_options *options, struct sb_arena *arena,
+                      struct sb_error *err);
+
+void sb_options_help(const struct sb_command *command); // NULL: of the program; to stdout

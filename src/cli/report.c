@@ -1,0 +1,168 @@
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "cli/report.h"
+#include "cli/table.h"
+
+// Only what differs between the rows needs a column: scene, and the axes of sweep and cross.
+static bool axis_varies(const struct sb_axes *axes, const struct sb_row *row, int count,
+                        int axis)
+{
+    struct sb_text first = {0}, other = {0};
+    bool varies = false;
+    sb_variant_value_text(axes, row[0].axes, axis, &first);
+    for (int i = 1; i < count && !varies; i++) {
+        sb_text_clear(&other);
+        sb_variant_value_text(axes, row[i].axes, axis, &other);
+        varies = strcmp(sb_text_get(&first), sb_text_get(&other)) != 0;
+    }
+    sb_text_free(&first);
+    sb_text_free(&other);
+    return varies && axes->row[axis].kind != SB_PLATFORM;
+}
+
+// A shorthand shows what it sets; its terms would repeat it ten times over.
+static bool is_set_by_shorthand(const struct sb_axes *axes, const struct sb_row *row,
+                                int count, int axis)
+{
+    for (int i = 0; i < count; i++)
+        if (sb_variant_given(row[i].axes, axis))
+            return false;
+    for (int a = 0; a < axes->count; a++)
+        for (int v = 0; v < axes->row[a].value_count; v++)
+            if (strstr(axes->row[a].values[v].sets, axes->row[axis].name))
+                return true;
+    return false;
+}
+
+static bool scene_varies(const struct sb_row *row, int count)
+{
+    for (int i = 1; i < count; i++)
+        if (strcmp(row[i].scene, row[0].scene) != 0)
+            return true;
+    return false;
+}
+
+static void real_cell(struct sb_table *table, const char *format, double value)
+{
+    char text[64] = "";
+    if (!isnan(value))
+        snprintf(text, sizeof text, format, value);
+    sb_table_cell(table, text);
+}
+
+static void add_row(struct sb_table *table, const struct sb_row *row, bool statuses)
+{
+    const double half =
+        fmax(row->ci_hi_ms - row->median_ms, row->median_ms - row->ci_lo_ms);
+    real_cell(table, "%.3f", row->median_ms);
+    real_cell(table, "%.1f %%", 100 * half / row->median_ms);
+    real_cell(table, row->fps < 100 ? "%.1f" : "%.0f", row->fps);
+    real_cell(table, "%.2f", row->ns_per_fragment);
+    real_cell(table, "%.2f", row->ratio);
+    if (statuses)
+        sb_table_cell(table, row->status);
+}
+
+static void print_notes(const struct sb_row *row, int count)
+{
+    // The same words about many rows are said once.
+    for (int i = 0; i < count; i++) {
+        bool said = !row[i].note;
+        int others = 0;
+        for (int j = 0; j < count && !said; j++)
+            if (j != i && row[j].note && strcmp(row[j].note, row[i].note) == 0) {
+                said = j < i;
+                others++;
+            }
+        if (!said && others)
+            printf("note: %s and %d more: %s\n", row[i].variant, others, row[i].note);
+        else if (!said)
+            printf("note: %s: %s\n", row[i].variant, row[i].note);
+    }
+}
+
+void sb_report_table(const struct sb_suite *suite, const struct sb_row *row, int count)
+{
+    const struct sb_axes *axes = &suite->axes;
+    struct sb_table *table = sb_table_new();
+    bool shown[SB_AXIS_MAX], statuses = false;
+    const bool scenes = scene_varies(row, count);
+    if (scenes)
+        sb_table_column(table, "scene", false);
+    for (int a = 0; a < axes->count; a++) {
+        shown[a] =
+            axis_varies(axes, row, count, a) && !is_set_by_shorthand(axes, row, count, a);
+        if (shown[a])
+            sb_table_column(table, axes->row[a].name, !axes->row[a].values);
+    }
+    for (int i = 0; i < count; i++)
+        statuses |= strcmp(row[i].status, "ok") != 0;
+    sb_table_column(table, "median ms", true);
+    sb_table_column(table, "±", true);
+    sb_table_column(table, "fps", true);
+    sb_table_column(table, "ns/fragment", true);
+    sb_table_column(table, "ratio", true);
+    if (statuses)
+        sb_table_column(table, "status", false);
+    for (int i = 0; i < count; i++) {
+        if (scenes)
+            sb_table_cell(table, row[i].scene);
+        for (int a = 0; a < axes->count; a++) {
+            struct sb_text text = {0};
+            sb_variant_value_text(axes, row[i].axes, a, &text);
+            if (shown[a])
+                sb_table_cell(table, sb_text_get(&text));
+            sb_text_free(&text);
+        }
+        add_row(table, &row[i], statuses);
+    }
+    sb_table_print(table);
+    sb_table_free(&table);
+    print_notes(row, count);
+}
+
+static json_t *cell_json(const struct sb_row *row, const struct sb_column *column)
+{
+    const void *cell = (const char *)row + column->offset;
+    if (column->type == SB_TEXT)
+        return *(const char *const *)cell ? json_string(*(const char *const *)cell)
+                                          : json_null();
+    if (column->type == SB_REAL)
+        return isfinite(*(const double *)cell) ? json_real(*(const double *)cell)
+                                               : json_null();
+    return *(const int64_t *)cell != SB_NO_COUNT ? json_integer(*(const int64_t *)cell)
+                                                 : json_null();
+}
+
+static void set_axes(json_t *object, const struct sb_axes *axes, const struct sb_row *row)
+{
+    struct sb_text text = {0};
+    for (int a = 0; a < axes->count; a++) {
+        sb_text_clear(&text);
+        sb_variant_value_text(axes, row->axes, a, &text);
+        json_object_set_new(object, axes->row[a].name,
+                            !text.length          ? json_null()
+                            : axes->row[a].values ? json_string(text.data)
+                                                  : json_real(row->axes->value[a]));
+    }
+    sb_text_free(&text);
+}
+
+json_t *sb_report_json(const struct sb_axes *axes, const struct sb_row *row, int count)
+{
+    json_t *list = json_array();
+    for (int i = 0; i < count; i++) {
+        json_t *object = json_object();
+        for (int c = 0; c < sb_summary_column_count; c++) {
+            const struct sb_column *column = &sb_summary_columns[c];
+            if (column->type == SB_AXES)
+                set_axes(object, axes, &row[i]);
+            else
+                json_object_set_new(object, column->name, cell_json(&row[i], column));
+        }
+        json_array_append_new(list, object);
+    }
+    return list;
+}

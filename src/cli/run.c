@@ -1,0 +1,211 @@
+// shadebench run: measures a suite.
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/clock.h"
+#include "base/file.h"
+#include "base/log.h"
+#include "cli/common.h"
+#include "cli/report.h"
+#include "measure/interrupt.h"
+#include "measure/run.h"
+#include "results/store.h"
+
+// What a run was started with: the words behind `run`.
+static json_t *arguments_json(int argc, char **argv)
+{
+    json_t *list = json_array();
+    for (int i = 2; i < argc; i++)
+        json_array_append_new(list, json_string(argv[i]));
+    return list;
+}
+
+// --resume: the options of the first start, read from run.json, with those of now over them.
+static bool load_earlier_options(const struct sb_options *now, struct sb_options *options,
+                                 json_t **arguments, struct sb_arena *arena,
+                                 struct sb_error *err)
+{
+    const struct sb_command *command = NULL;
+    for (int i = 0; i < sb_command_count; i++)
+        if (sb_commands[i].run == sb_cmd_run)
+            command = &sb_commands[i];
+    json_t *run = sb_store_read_run(now->resume, err);
+    if (!run)
+        return false;
+    *arguments = json_incref(json_object_get(run, "arguments"));
+    char *words[256];
+    int count = 0;
+    size_t i;
+    const json_t *word;
+    json_array_foreach(*arguments, i, word) if (count < 256 && json_is_string(word))
+        words[count++] = sb_arena_strdup(arena, json_string_value(word));
+    json_decref(run);
+    if (!sb_options_parse(command, count, words, options, arena, err))
+        return false;
+    options->resume = options->output = now->resume;
+    options->json = now->json;
+    for (int s = 0; s < now->setting.count && options->setting.count < SB_ASSIGNMENTS_MAX;
+         s++) {
+        const struct sb_assignment *setting = &now->setting.item[s];
+        options->setting.item[options->setting.count++] = *setting;
+        // For run.json, and so for the processes that follow.
+        json_array_append_new(*arguments,
+                              json_sprintf("--%s=%s", setting->axis, setting->values));
+    }
+    if (now->data)
+        options->data = now->data;
+    return true;
+}
+
+static const char *results_dir(const struct sb_options *options,
+                               const struct sb_suite *suite, struct sb_arena *arena)
+{
+    char now[32];
+    if (options->output)
+        return options->output;
+    sb_timestamp_name(now);
+    return sb_arena_printf(arena, "shadebench-results/%s-%s", suite->name, now);
+}
+
+// The next process of --processes N: this program again, with a fresh address space, driver
+// and JIT. It appends to the same folder; the last one prints the table.
+static int next_process(const char *dir, const struct sb_options *options,
+                        struct sb_error *err)
+{
+    struct sb_arena arena = {0};
+    char *program = sb_executable(&arena, err);
+    char *words[64] = {program, (char *)"run", (char *)"--resume", (char *)dir};
+    int count = 4;
+    if (options->json)
+        words[count++] = (char *)"--json";
+    if (options->quiet)
+        words[count++] = (char *)"--quiet";
+    if (options->data) {
+        words[count++] = (char *)"--data";
+        words[count++] = (char *)options->data;
+    }
+    fflush(NULL);
+    if (program) {
+        execv(program, words);
+        sb_fail(err, SB_INTERNAL, "%s: %s", program, strerror(errno));
+    }
+    sb_arena_free(&arena);
+    return sb_cli_fail(err);
+}
+
+static void print_head(const struct sb_suite *suite, const struct sb_row *row)
+{
+    if (suite->about && suite->about[0])
+        printf("%s: %s\n", suite->name, suite->about);
+    printf("driver: %s, %s\n", row->renderer, row->version);
+    printf("timer: %s, within %.1f %% of the wall clock of long drained batches\n",
+           row->timer_source, 100 * row->timer_error);
+    if (row->ci_kind)
+        printf("±: %s%s\n\n", row->ci_kind,
+               row->processes > 1
+                   ? ""
+                   : "; another process may differ by more (--processes 3)");
+}
+
+static void print_results(const struct sb_options *options, const struct sb_suite *suite,
+                          const struct sb_run_result *result, const char *dir)
+{
+    if (options->json) {
+        json_t *object = json_object();
+        json_object_set_new(object, "dir", json_string(dir));
+        json_object_set_new(object, "interrupted", json_boolean(result->interrupted));
+        json_object_set_new(object, "rows",
+                            sb_report_json(&suite->axes, result->row, result->row_count));
+        sb_cli_print_json(object);
+        return;
+    }
+    const struct sb_row *shown = result->row;
+    for (int i = 1; i < result->row_count && !shown->ci_kind; i++)
+        shown = &result->row[i];
+    print_head(suite, shown);
+    sb_report_table(suite, result->row, result->row_count);
+    printf("\nresults: %s/summary.csv\n", dir);
+    if (result->interrupted)
+        printf("interrupted; go on with: shadebench run --resume %s\n", dir);
+}
+
+static int run_suite(const struct sb_options *options, json_t *arguments,
+                     struct sb_arena *arena)
+{
+    struct sb_error err = {0};
+    struct sb_suite suite = {0};
+    struct sb_run_result result = {0};
+    struct sb_driver_params driver;
+    int code;
+    const char *path = NULL, *dir = NULL;
+    const char *data = sb_data_dir(arena, options->data, &err);
+    if (!data)
+        return sb_cli_fail(&err);
+    if (options->word_count > 1) {
+        sb_fail(&err, SB_USAGE, "run takes one suite; \"%s\" is one too many",
+                options->word[1]);
+        return sb_cli_fail(&err);
+    }
+    if (options->resume &&
+        sb_file_exists(sb_path_join(arena, options->resume, SB_SUITE_COPY)))
+        path = sb_path_join(arena, options->resume, SB_SUITE_COPY);
+    else if (options->word_count &&
+             !(path = sb_cli_suite_path(options->word[0], data, arena, &err)))
+        return sb_cli_fail(&err);
+
+    bool good = sb_cli_load_suite(options, path, data, &suite, &err) &&
+                sb_cli_driver_params(options, &suite, &driver, &err);
+    if (good) {
+        dir = results_dir(options, &suite, arena);
+        const struct sb_run_params params = {
+            .suite = &suite,
+            .driver = driver,
+            .data_dir = data,
+            .shaders = options->shaders,
+            .dir = dir,
+            .append = options->resume != NULL,
+            .images = options->images,
+            .suite_file = path,
+            .arguments = arguments,
+        };
+        sb_info("%s: %d variants; results go to %s", suite.name, suite.entry_count, dir);
+        good = sb_run(&params, &result, &err);
+    }
+    const bool more = good && !result.interrupted &&
+                      result.processes_done < (int)suite.measure.processes;
+    if (result.row && !more)
+        print_results(options, &suite, &result, dir);
+    code =
+        good ? result.exit_code : sb_exit_code_worse(result.exit_code, sb_cli_fail(&err));
+    sb_run_result_free(&result);
+    sb_suite_free(&suite);
+    return more ? next_process(dir, options, &err) : code;
+}
+
+int sb_cmd_run(const struct sb_options *given, int argc, char **argv)
+{
+    struct sb_error err = {0};
+    struct sb_arena arena = {0};
+    struct sb_options earlier = {0};
+    const struct sb_options *options = given;
+    json_t *arguments = NULL;
+    int code;
+    sb_interrupt_install();
+    if (given->resume) {
+        options = &earlier;
+        if (!load_earlier_options(given, &earlier, &arguments, &arena, &err)) {
+            code = sb_cli_fail(&err);
+            goto done;
+        }
+    } else {
+        arguments = arguments_json(argc, argv);
+    }
+    code = run_suite(options, arguments, &arena);
+
+done:
+    json_decref(arguments);
+    sb_arena_free(&arena);
+    return code;
+}

@@ -1,0 +1,141 @@
+// shadebench show: the final GLSL of a variant, or the plan of a suite. Needs no GL.
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "assemble/assemble.h"
+#include "assemble/platform.h"
+#include "base/file.h"
+#include "cli/common.h"
+#include "cli/table.h"
+
+// "point=4,stage=vertex" as assignments over those of --set.
+static bool add_variant(const char *word, struct sb_options *options,
+                        struct sb_arena *arena, struct sb_error *err)
+{
+    char *rest = sb_arena_strdup(arena, word);
+    if (strcmp(word, "default") == 0)
+        return true;
+    for (char *part = rest; part; part = rest) {
+        rest = strchr(part, ',');
+        if (rest)
+            *rest++ = '\0';
+        char *equals = strchr(part, '=');
+        if (!equals || options->set.count == SB_ASSIGNMENTS_MAX)
+            return sb_fail(err, SB_USAGE, "variant \"%s\": AXIS=VALUE,… is wanted", word);
+        const char *origin = sb_arena_printf(arena, "variant \"%s\"", part);
+        *equals = '\0';
+        options->set.item[options->set.count++] =
+            (struct sb_assignment){.axis = part, .values = equals + 1, .origin = origin};
+    }
+    return true;
+}
+
+static bool assemble(const struct sb_options *options, const char *data,
+                     const struct sb_suite *suite, const struct sb_plan_entry *entry,
+                     struct sb_assembly *assembly, struct sb_error *err)
+{
+    struct sb_caps caps;
+    struct sb_context_params context;
+    if (!sb_platform_apply(suite, &context, err))
+        return false;
+    sb_caps_ideal(context.gles, &caps);
+    const struct sb_assemble_params params = {
+        .data_dir = data,
+        .shaders = options->shaders,
+        .axes = &suite->axes,
+        .scene = entry->scene,
+        .variant = &entry->variant,
+        .caps = &caps,
+        .id = 1,
+    };
+    return sb_assemble(&params, assembly, err) &&
+           (!options->validate || sb_assembly_validate(assembly, err));
+}
+
+static bool show_sources(const struct sb_options *options, const char *data,
+                         const struct sb_suite *suite, struct sb_error *err)
+{
+    struct sb_assembly assembly = {0};
+    const bool good = assemble(options, data, suite, &suite->entry[0], &assembly, err);
+    if (good && options->json) {
+        json_t *object = json_object();
+        json_object_set_new(object, "variant", json_string(suite->entry[0].id));
+        json_object_set_new(object, "vertex", json_string(assembly.vertex.text));
+        json_object_set_new(object, "fragment", json_string(assembly.fragment.text));
+        json_object_set_new(object, "source_hash",
+                            json_sprintf("%016" PRIx64, assembly.source_hash));
+        sb_cli_print_json(object);
+    } else if (good) {
+        printf("// %s: vertex shader\n%s\n// %s: fragment shader\n%s", suite->entry[0].id,
+               assembly.vertex.text, suite->entry[0].id, assembly.fragment.text);
+    }
+    sb_assembly_free(&assembly);
+    return good;
+}
+
+static bool show_plan(const struct sb_options *options, const char *data,
+                      const struct sb_suite *suite, struct sb_error *err)
+{
+    struct sb_table *table = sb_table_new();
+    json_t *list = json_array();
+    bool good = true;
+    sb_table_column(table, "scene", false);
+    sb_table_column(table, "variant", false);
+    sb_table_column(table, "source hash", false);
+    for (int i = 0; good && i < suite->entry_count; i++) {
+        const struct sb_plan_entry *entry = &suite->entry[i];
+        struct sb_assembly assembly = {0};
+        char hash[32] = "";
+        good = assemble(options, data, suite, entry, &assembly, err);
+        snprintf(hash, sizeof hash, "%016" PRIx64, assembly.source_hash);
+        sb_assembly_free(&assembly);
+        sb_table_cell(table, entry->scene);
+        sb_table_cell(table, entry->id);
+        sb_table_cell(table, hash);
+        json_array_append_new(list, json_pack("{ssssss}", "scene", entry->scene,
+                                              "variant", entry->id, "source_hash", hash));
+    }
+    if (good && options->json) {
+        sb_cli_print_json(json_incref(list));
+    } else if (good) {
+        sb_table_print(table);
+        printf("%d variants; %d equal ones and %d excluded left out%s\n",
+               suite->entry_count, suite->duplicates, suite->excluded,
+               options->validate ? "; all sources are valid" : "");
+    }
+    json_decref(list);
+    sb_table_free(&table);
+    return good;
+}
+
+int sb_cmd_show(const struct sb_options *given, int argc, char **argv)
+{
+    (void)argc;
+    (void)argv;
+    struct sb_error err = {0};
+    struct sb_arena arena = {0};
+    struct sb_suite suite = {0};
+    struct sb_options options = *given;
+    const char *word = given->word_count ? given->word[0] : "default";
+    const bool is_variant = strchr(word, '=') || strcmp(word, "default") == 0;
+    const char *path = NULL;
+    const char *data = sb_data_dir(&arena, given->data, &err);
+    bool good = data != NULL;
+    if (given->word_count > 1)
+        good = sb_fail(&err, SB_USAGE,
+                       "show takes one variant or suite; \"%s\" is one too many",
+                       given->word[1]);
+    if (good && is_variant)
+        good = add_variant(word, &options, &arena, &err);
+    else if (good)
+        good = (path = sb_cli_suite_path(word, data, &arena, &err)) != NULL;
+    good = good && sb_cli_load_suite(&options, path, data, &suite, &err);
+    if (good)
+        good = is_variant && suite.entry_count == 1
+                   ? show_sources(&options, data, &suite, &err)
+                   : show_plan(&options, data, &suite, &err);
+    sb_suite_free(&suite);
+    sb_arena_free(&arena);
+    return good ? 0 : sb_cli_fail(&err);
+}

@@ -1,0 +1,119 @@
+// Timed batches. Everything that can be made, looked up or refused is, before the first
+// clock is read.
+#include "local/state.h"
+
+#include <inttypes.h>
+
+#include "base/clock.h"
+
+static enum sb_read read_query(struct sb_local *local, int64_t *ns)
+{
+    // After a drain the result should be there; one second is for drivers that deliver
+    // late.
+    const int64_t deadline = sb_clock_ns() + 1000000000;
+    for (;;) {
+        const enum sb_read state = local->timer->read(&local->query, &local->caps, ns);
+        if (state != SB_READ_LATER || sb_clock_ns() > deadline)
+            return state;
+        sb_sleep_ns(100000);
+    }
+}
+
+static void read_timer(struct sb_local *local, struct sb_sample *sample)
+{
+    sample->gpu_ns = SB_NO_TIME;
+    if (!local->timer)
+        return;
+    int64_t ns = SB_NO_TIME;
+    switch (read_query(local, &ns)) {
+    case SB_READ_LATER:
+        sample->flags |= SB_SAMPLE_LOST;
+        return;
+    case SB_READ_DISJOINT:
+        sample->flags |= SB_SAMPLE_DISJOINT;
+        break;
+    case SB_READ_OK:
+        // The first query of a context was seen to return 10^12 ns.
+        if (ns != SB_NO_TIME && (ns < 0 || ns > 10 * sample->wall_ns + 1000000000))
+            sample->flags |= SB_SAMPLE_ABSURD;
+        break;
+    }
+    sample->gpu_ns = ns;
+}
+
+void sb_local_batch(struct sb_local *local, const struct sb_local_job *job,
+                    const struct sb_ring *ring, int frames, struct sb_sample *sample,
+                    int64_t *calls)
+{
+    struct sb_frame_params frame = {
+        .binding = &job->binding,
+        .layers = job->shape.layers,
+        .gles = local->caps.gles,
+    };
+    int64_t frame_calls = 0;
+    const int64_t cpu_begin = sb_cpu_ns();
+    const int64_t begin = sb_clock_ns();
+    if (local->timer)
+        local->timer->begin(&local->query);
+    for (int i = 0; i < frames; i++) {
+        frame.target = &ring->target[i % SB_RING_SIZE];
+        frame_calls = sb_frame_draw(&frame);
+    }
+    if (local->timer)
+        local->timer->end(&local->query);
+    const int64_t submitted = sb_clock_ns();
+    sb_gl_drain();
+    const int64_t drained = sb_clock_ns();
+    *sample = (struct sb_sample){
+        .job = job->id,
+        .frames = frames,
+        .wall_ns = drained - begin,
+        .cpu_ns = sb_cpu_ns() - cpu_begin,
+        .submit_ns = submitted - begin,
+    };
+    read_timer(local, sample);
+    if (calls)
+        *calls = frame_calls;
+}
+
+// The targets that a shot draws into.
+static const struct sb_ring *ring_of(struct sb_local *local, const struct sb_shot *shot,
+                                     struct sb_error *err)
+{
+    struct sb_local_job *job = sb_local_job_find(local, shot->job, err);
+    if (!job)
+        return NULL;
+    if (shot->frames < 1 || shot->shrink < 1 || shot->shrink > 2) {
+        sb_fail(err, SB_INTERNAL,
+                "job %" PRIu32
+                ": %d frames, shrink %d; valid: at least 1 frame, shrink 1 "
+                "or 2",
+                shot->job, shot->frames, shot->shrink);
+        return NULL;
+    }
+    if (shot->shrink == 1)
+        return &job->ring->ring;
+    if (!job->half) {
+        struct sb_shape shape = job->shape;
+        shape.width = (shape.width + 1) / 2;
+        shape.height = (shape.height + 1) / 2;
+        job->half = sb_pool_ring_get(&local->pool, &local->caps, &shape, err);
+    }
+    return job->half ? &job->half->ring : NULL;
+}
+
+bool sb_local_round(void *self, const struct sb_shot *shots, int count,
+                    struct sb_sample *samples, struct sb_error *err)
+{
+    struct sb_local *local = self;
+    for (int i = 0; i < count; i++) {
+        if (!ring_of(local, &shots[i], err))
+            return false;
+    }
+    for (int i = 0; i < count; i++) {
+        const struct sb_local_job *job = sb_local_job_find(local, shots[i].job, err);
+        const struct sb_ring *ring = ring_of(local, &shots[i], err);
+        sb_local_batch(local, job, ring, shots[i].frames, &samples[i], NULL);
+    }
+    return count == 0 || sb_local_gl_ok("measuring", shots[0].job, err);
+}

@@ -1,0 +1,84 @@
+// What the files of this folder share: an open runner, and its entries of the seam
+// (contracts in job/job.h).
+#pragma once
+
+#include "context/context.h"
+#include "gl/timer.h"
+#include "local/local.h"
+#include "render/render.h"
+
+// --- things that jobs share, by reference count (pool.c) -------------------------------
+
+struct sb_shared_scene {
+    struct sb_shared_scene *next;
+    int users;
+    uint64_t hash; // sb_scene_hash
+    struct sb_scene scene;
+    struct sb_upload upload;
+};
+struct sb_shared_ring {
+    struct sb_shared_ring *next;
+    int users;
+    struct sb_shape shape; // layers do not matter here
+    struct sb_ring ring;
+};
+struct sb_pool {
+    struct sb_shared_scene *scenes;
+    struct sb_shared_ring *rings;
+};
+
+// Found or made; every get needs its put. NULL after failure.
+struct sb_shared_scene *sb_pool_scene_get(struct sb_pool *pool, const char *name,
+                                          const struct sb_variant *variant,
+                                          struct sb_error *err);
+void sb_pool_scene_put(struct sb_pool *pool,
+                       struct sb_shared_scene *scene); // NULL: nothing
+struct sb_shared_ring *sb_pool_ring_get(struct sb_pool *pool, const struct sb_caps *caps,
+                                        const struct sb_shape *shape,
+                                        struct sb_error *err);
+void sb_pool_ring_put(struct sb_pool *pool, struct sb_shared_ring *ring); // NULL: nothing
+
+// --- the runner ------------------------------------------------------------------------
+
+struct sb_local_job {
+    struct sb_local_job *next;
+    uint32_t id;
+    struct sb_shape shape;
+    struct sb_shared_scene *scene;
+    struct sb_gl_program program;
+    struct sb_binding binding;
+    struct sb_shared_ring *ring, *half; // half: for shots with shrink=2, made on demand
+};
+
+struct sb_local {
+    const struct sb_context_fns *context;
+    void *window; // the context's own state
+    struct sb_caps caps;
+    struct sb_gl_program id_program;
+    const struct sb_timer_fns *timer; // NULL: none chosen yet, samples carry no GPU time
+    struct sb_query query;
+    struct sb_pool pool;
+    struct sb_local_job *jobs;
+};
+
+bool sb_local_prepare(void *self, const struct sb_job *request,
+                      struct sb_prepared *result);
+bool sb_local_round(void *self, const struct sb_shot *shots, int count,
+                    struct sb_sample *samples, struct sb_error *err);
+bool sb_local_image(void *self, const struct sb_image_request *request,
+                    struct sb_image *image, struct sb_error *err);
+void sb_local_release(void *self, uint32_t id);
+
+// SB_INTERNAL where no such job is prepared.
+struct sb_local_job *sb_local_job_find(const struct sb_local *local, uint32_t id,
+                                       struct sb_error *err);
+
+// One timed batch: nothing but clocks and the timer between the first command and the
+// drain, nothing in flight afterwards. *calls (may be NULL): GL calls of one frame.
+void sb_local_batch(struct sb_local *local, const struct sb_local_job *job,
+                    const struct sb_ring *ring, int frames, struct sb_sample *sample,
+                    int64_t *calls);
+
+// False with SB_GL_ERROR where the driver has reported one since the last call; `what`
+// was being done to the job: "preparing".
+bool sb_local_gl_ok(const char *what, uint32_t job, struct sb_error *err);

@@ -1,0 +1,82 @@
+// A scene on the GPU: one vertex array a mesh, one texture a map.
+#include "render/render.h"
+
+#include <stddef.h>
+#include <stdlib.h>
+
+#include "base/mem.h"
+
+static void mesh_make(struct sb_gpu_mesh *gpu, const struct sb_mesh *mesh)
+{
+    static const struct {
+        int components;
+        size_t offset;
+    } attribute[SB_ATTRIBUTES] = {
+        {3, offsetof(struct sb_vertex, position)},
+        {3, offsetof(struct sb_vertex, normal)},
+        {2, offsetof(struct sb_vertex, uv)},
+        {4, offsetof(struct sb_vertex, tangent)},
+    };
+    glGenVertexArrays(1, &gpu->vertex_array);
+    glBindVertexArray(gpu->vertex_array);
+
+    glGenBuffers(1, &gpu->vertices);
+    glBindBuffer(GL_ARRAY_BUFFER, gpu->vertices);
+    glBufferData(GL_ARRAY_BUFFER,
+                 (GLsizeiptr)((size_t)mesh->vertex_count * sizeof *mesh->vertex),
+                 mesh->vertex, GL_STATIC_DRAW);
+    for (GLuint i = 0; i < SB_ATTRIBUTES; i++) {
+        glVertexAttribPointer(i, attribute[i].components, GL_FLOAT, GL_FALSE,
+                              sizeof(struct sb_vertex),
+                              (const void *)attribute[i].offset);
+        glEnableVertexAttribArray(i);
+    }
+
+    glGenBuffers(1, &gpu->indices);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, gpu->indices);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+                 (GLsizeiptr)((size_t)mesh->index_count * sizeof *mesh->index),
+                 mesh->index, GL_STATIC_DRAW);
+    glBindVertexArray(0);
+}
+
+static GLuint map_make(const struct sb_texture *texture)
+{
+    GLuint name;
+    glGenTextures(1, &name);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, name);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, texture->width, texture->height, 0, GL_RGBA,
+                 GL_UNSIGNED_BYTE, texture->texel);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    return name;
+}
+
+void sb_upload_make(struct sb_upload *upload, const struct sb_scene *scene)
+{
+    *upload = (struct sb_upload){.scene = scene};
+    upload->mesh = sb_alloc((size_t)scene->mesh_count * sizeof *upload->mesh);
+    for (int i = 0; i < scene->mesh_count; i++)
+        mesh_make(&upload->mesh[i], &scene->mesh[i]);
+    for (int i = 0; i < SB_MAP_COUNT; i++) {
+        if (scene->map[i].texel)
+            upload->map[i] = map_make(&scene->map[i]);
+    }
+}
+
+void sb_upload_free(struct sb_upload *upload)
+{
+    for (int i = 0; upload->mesh && i < upload->scene->mesh_count; i++) {
+        const struct sb_gpu_mesh *mesh = &upload->mesh[i];
+        glDeleteVertexArrays(1, &mesh->vertex_array);
+        glDeleteBuffers(1, &mesh->vertices);
+        glDeleteBuffers(1, &mesh->indices);
+    }
+    glDeleteTextures(SB_MAP_COUNT, upload->map);
+    free(upload->mesh);
+    *upload = (struct sb_upload){0};
+}
