@@ -115,7 +115,7 @@ static void the_first_credible_source_of_the_ladder_is_chosen(void **state)
 {
     (void)state;
     add_source("elapsed", last_tile_only);
-    add_source("elapsed+flush", NULL)->usable = false;
+    add_source("elapsed+finish", NULL)->usable = false;
     add_source("timestamp+finish", NULL);
     add_source("wall", NULL);
     judge();
@@ -131,7 +131,7 @@ static void judging_twice_gives_the_same_verdict(void **state)
     (void)state;
     static struct sb_audit first;
     add_source("elapsed", last_tile_only);
-    add_source("elapsed+flush", NULL);
+    add_source("elapsed+finish", NULL);
     judge();
     memcpy(&first, &audit, sizeof first);
     judge();

@@ -5,19 +5,21 @@
 #include "cli/report.h"
 #include "cli/table.h"
 
-// Only what differs between the rows needs a column: scene, and the axes of sweep and cross.
+// Only what differs between the rows needs a column. An axis that is moot in some rows and
+// has one value in the others does not differ.
 static bool axis_varies(const struct sb_axes *axes, const struct sb_row *row, int count,
                         int axis)
 {
-    struct sb_text first = {0}, other = {0};
+    struct sb_text seen = {0}, other = {0};
     bool varies = false;
-    sb_variant_value_text(axes, row[0].axes, axis, &first);
-    for (int i = 1; i < count && !varies; i++) {
+    for (int i = 0; i < count && !varies; i++) {
         sb_text_clear(&other);
         sb_variant_value_text(axes, row[i].axes, axis, &other);
-        varies = strcmp(sb_text_get(&first), sb_text_get(&other)) != 0;
+        if (!seen.length)
+            sb_text_add(&seen, sb_text_get(&other));
+        varies = other.length && strcmp(seen.data, other.data) != 0;
     }
-    sb_text_free(&first);
+    sb_text_free(&seen);
     sb_text_free(&other);
     return varies && axes->row[axis].kind != SB_PLATFORM;
 }
@@ -65,9 +67,9 @@ static void add_row(struct sb_table *table, const struct sb_row *row, bool statu
         sb_table_cell(table, row->status);
 }
 
+// The same words about many rows are said once.
 static void print_notes(const struct sb_row *row, int count)
 {
-    // The same words about many rows are said once.
     for (int i = 0; i < count; i++) {
         bool said = !row[i].note;
         int others = 0;
@@ -77,9 +79,20 @@ static void print_notes(const struct sb_row *row, int count)
                 others++;
             }
         if (!said && others)
-            printf("note: %s and %d more: %s\n", row[i].variant, others, row[i].note);
+            printf("%s and %d more: %s\n", row[i].variant, others, row[i].note);
         else if (!said)
-            printf("note: %s: %s\n", row[i].variant, row[i].note);
+            printf("%s: %s\n", row[i].variant, row[i].note);
+    }
+}
+
+static void print_statuses(const struct sb_row *row, int count)
+{
+    bool said[SB_STATUS_COUNT] = {[SB_OK] = true};
+    for (int i = 0; i < count; i++) {
+        const enum sb_status status = sb_status_find(row[i].status);
+        if (!said[status])
+            printf("%s: %s\n", row[i].status, sb_status_rows[status].help);
+        said[status] = true;
     }
 }
 
@@ -120,6 +133,7 @@ void sb_report_table(const struct sb_suite *suite, const struct sb_row *row, int
     }
     sb_table_print(table);
     sb_table_free(&table);
+    print_statuses(row, count);
     print_notes(row, count);
 }
 

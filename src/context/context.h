@@ -24,8 +24,8 @@ struct sb_context_fns {
 extern const struct sb_context_fns sb_context_egl, sb_context_glfw, sb_context_osmesa;
 extern const struct sb_context_fns *const sb_contexts[]; // in probe order, ends with NULL
 
-// Opens the named context, or with "auto" the first of the list that opens; *fns says which.
-// SB_NO_GL tells for every context tried why it did not open; an unknown name (SB_USAGE)
-// lists the valid ones.
+// Opens the named context, or with "auto" the first of the list that opens; *fns says
+// which. SB_NO_GL tells for every context tried why it did not open; an unknown name
+// (SB_USAGE) lists the valid ones.
 void *sb_context_open(const char *name, const struct sb_context_options *options,
                       const struct sb_context_fns **fns, struct sb_error *err);

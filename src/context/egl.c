@@ -1,4 +1,5 @@
-// EGL without a window: the surfaceless platform, else a device, else the default display.
+// EGL without a window: the surfaceless platform, else a device, else the default
+// display.
 #include <dlfcn.h>
 #include <stdio.h>
 #include <stdlib.h>

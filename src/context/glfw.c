@@ -79,7 +79,8 @@ static void create_window(struct glfw *glfw, bool gles, struct sb_gl_version ver
 
 static void *glfw_open(const struct sb_context_options *options, struct sb_error *err)
 {
-    // GLX needs an extension for OpenGL ES, EGL has it built in: so EGL is asked first there.
+    // GLX needs an extension for OpenGL ES, EGL has it built in: so EGL is asked first
+    // there.
     const int creation[] = {
         options->gles ? GLFW_EGL_CONTEXT_API : GLFW_NATIVE_CONTEXT_API,
         options->gles ? GLFW_NATIVE_CONTEXT_API : GLFW_EGL_CONTEXT_API};

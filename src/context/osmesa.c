@@ -1,7 +1,7 @@
 // OSMesa: Mesa's software renderer drawing to plain memory, without EGL or a display.
 //
-// Mesa 25 dropped OSMesa and its header with it, while installed libraries live on: so what
-// is needed of GL/osmesa.h is declared here.
+// Newer Mesa has dropped OSMesa and its header, while installed libraries live on: so
+// what is needed of GL/osmesa.h is declared here.
 #include <dlfcn.h>
 #include <stdlib.h>
 

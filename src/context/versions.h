@@ -1,5 +1,6 @@
-// The GL versions that every context asks for, newest first: a driver may answer a request
-// with exactly that version, so asking for the oldest could lose timers and formats.
+// The GL versions that every context asks for, newest first: a driver may answer a
+// request with exactly that version, so asking for the oldest could lose timers and
+// formats.
 #pragma once
 
 #include <stdbool.h>

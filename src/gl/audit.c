@@ -14,15 +14,16 @@ enum {
     BATCHES_MAX = 4
 };
 
-// A timed frame is at least this long, and at least 20 times what waiting for a frame costs
-// (45 us on a software renderer, 250 us by way of a translating driver), so that the wait
-// stays inside the tolerance. 28 of them by every source, five times over, take little
-// more than a second.
-static const int64_t shortest_frame_ns = 2200000, waits_per_frame = 20;
+// A timed frame takes 20 times what waiting for a frame costs (45 us on a software
+// renderer, 250 us by way of a translating driver), so that the wait stays inside the
+// tolerance: 28 frames by every source, five times over, take two seconds at the
+// shortest.
+static const int64_t waits_per_frame = 20;
+static const int64_t shortest_frame_ns = 2200000, longest_frame_ns = 10000000;
 
-// A load whose cheapest frame takes longer is left out: a renderer that slow would spend
-// minutes on it, and has shown its timers on the smaller ones.
-static const int64_t slowest_frame_ns = 8000000;
+// A load whose cheapest frame takes so much more than wanted is left out: a renderer that
+// slow would spend minutes on it, and has shown its timers on the smaller ones.
+static const int64_t excess_ns = 6000000;
 
 // Batches of 1, 2, 4 ... 2^(batches-1) frames.
 static const struct plan {
@@ -79,8 +80,9 @@ static int64_t time_drained(const struct sb_gl_load *load, int frames)
     return sum;
 }
 
-// Finds the number of loops that makes a frame take that long. Starts with the cheapest and
-// grows by at most eight times: on an unknown device a long guess could hang the machine.
+// Finds the number of loops that makes a frame take that long. Starts with the cheapest
+// and grows by at most eight times: on an unknown device a long guess could hang the
+// machine.
 static int64_t calibrate(const struct sb_gl_load *load, int64_t frame_ns)
 {
     for (int loops = 1;;) {
@@ -137,7 +139,7 @@ static bool read_plan(struct bench *bench, const struct plan *plan, struct sb_er
     struct sb_gl_load load = {0};
     struct sb_timer_reading batches[BATCHES_MAX];
     const bool made = sb_gl_load_make(&load, plan->load, plan->size, bench->caps, err);
-    if (made && calibrate(&load, bench->frame_ns) <= slowest_frame_ns) {
+    if (made && calibrate(&load, bench->frame_ns) <= bench->frame_ns + excess_ns) {
         const int64_t samples_one = count_samples(bench, &load, 1);
         for (int k = 0; k < plan->batches; k++)
             batches[k] = (struct sb_timer_reading){
@@ -177,7 +179,8 @@ static void read_resolution(struct bench *bench, const struct sb_gl_load *load,
 {
     struct sb_timer_source *row = &bench->audit->source[source];
     int64_t ns[SHORT_QUERIES];
-    // The first queries of a context may return anything (10^12 ns was seen): thrown away.
+    // The first queries of a context may return anything (10^12 ns was seen): thrown
+    // away.
     read_sorted(bench, load, source, 1, ns, 4);
     read_sorted(bench, load, source, 1, ns, SHORT_QUERIES);
     for (int i = 1; i < SHORT_QUERIES; i++) {
@@ -207,8 +210,10 @@ static bool read_resolutions(struct bench *bench, struct sb_error *err)
         if (bench->audit->source[i].usable)
             read_resolution(bench, &load, i);
     if (made) {
-        const int64_t least = waits_per_frame * cost_of_waiting(&load);
-        bench->frame_ns = least > shortest_frame_ns ? least : shortest_frame_ns;
+        const int64_t ns = waits_per_frame * cost_of_waiting(&load);
+        bench->frame_ns = ns < shortest_frame_ns  ? shortest_frame_ns
+                          : ns > longest_frame_ns ? longest_frame_ns
+                                                  : ns;
     }
     sb_gl_load_free(&load);
     return made;

@@ -6,12 +6,13 @@
 #include "gl/gl.h"
 #include "stats/audit.h"
 
-// Overwrites *audit: every row of sb_timers, in order, with its readings. A query that never
-// became available is read as -1 ns. Takes about a second, on the slowest of software
-// renderers five.
+// Overwrites *audit: every row of sb_timers, in order, with its readings. A query that
+// never became available is read as -1 ns. Takes about two seconds; up to ten where
+// waiting for the driver is dear.
 bool sb_gl_audit_read(const struct sb_caps *caps, struct sb_audit *audit,
                       struct sb_error *err);
 
-// Overwrites *probe: highp, mediump and lowp of the fragment stage, then of the vertex stage.
+// Overwrites *probe: highp, mediump and lowp of the fragment stage, then of the vertex
+// stage.
 bool sb_gl_probe_precision(const struct sb_caps *caps, struct sb_precision_probe *probe,
                            struct sb_error *err);

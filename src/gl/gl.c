@@ -74,7 +74,8 @@ static int64_t counter_bits(GLenum target)
     return bits;
 }
 
-// Tried, not looked up: float formats came to GLES by three extensions and a core version.
+// Tried, not looked up: float formats came to GLES by three extensions and a core
+// version.
 static bool can_draw_to(GLenum format)
 {
     GLuint framebuffer, colour;

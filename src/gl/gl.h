@@ -12,10 +12,11 @@
 bool sb_gl_load(void (*(*proc)(void *self, const char *name))(void), void *self,
                 bool gles, struct sb_caps *caps, struct sb_error *err);
 
-// The first error since the last call as a word ("GL_OUT_OF_MEMORY"), or NULL; clears all.
+// The first error since the last call as a word ("GL_OUT_OF_MEMORY"), or NULL; clears
+// all.
 const char *sb_gl_error(void);
 
-// Waits until everything issued has been executed, by reading one pixel of the framebuffer
-// bound for reading back (none where that is 0) and glFinish. glFinish alone was seen to
-// return early (zink on lavapipe).
+// Waits until everything issued has been executed, by reading one pixel of the
+// framebuffer bound for reading back (none where that is 0) and glFinish. glFinish alone
+// was seen to return early (zink on lavapipe).
 void sb_gl_drain(void);

@@ -28,8 +28,8 @@
           "    o_colour = vec4(x, 1.0 - x, 0.5, 1.0);\n"                                 \
           "}\n"
 
-// A grid of 32 x 32 triangles, each over the first pixel of a cell of 2 x 2 (on a target of
-// 64 x 64 pixels): the vertices do the work.
+// A grid of 32 x 32 triangles, each over the first pixel of a cell of 2 x 2 (on a target
+// of 64 x 64 pixels): the vertices do the work.
 enum { GRID = 32, VERTEX_LOAD_SIZE = 64 };
 #define VERTEX_LOAD_VERT                                                                 \
     CHURN "out vec3 v_colour;\n"                                                         \

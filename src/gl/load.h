@@ -1,5 +1,5 @@
-// Synthetic loads for the timer audit: whole frames, bound by one stage, whose cost is set by
-// one number.
+// Synthetic loads for the timer audit: whole frames, bound by one stage, whose cost is
+// set by one number.
 #pragma once
 
 #include "gl/program.h"

@@ -1,6 +1,6 @@
 // The precision probe: what the qualifiers are worth here, found out by arithmetic whose
-// result differs between formats. glGetShaderPrecisionFormat is not asked: drivers answer it
-// with constants.
+// result differs between formats. glGetShaderPrecisionFormat is not asked: drivers answer
+// it with constants.
 #include <string.h>
 
 #include "base/text.h"

@@ -12,14 +12,14 @@ struct sb_target {
     enum sb_gl_format format;
 };
 
-// Leaves the framebuffer bound, its content undefined. SB_OVER_LIMIT where the size or the
-// format is not to be had; then *target is all zeros.
+// Leaves the framebuffer bound, its content undefined. SB_OVER_LIMIT where the size or
+// the format is not to be had; then *target is all zeros.
 bool sb_target_make(struct sb_target *target, const struct sb_caps *caps, int width,
                     int height, enum sb_gl_format format, struct sb_error *err);
 void sb_target_free(struct sb_target *target); // zeroes it
 
 // Reads the colour attachment back as floats: 4 channels (R32UI: 1 channel, exact up to
-// 2^24). Waits for the drawing. Initialises *image, which the caller frees; on false there
-// is nothing to free. Leaves the framebuffer bound for reading.
+// 2^24). Waits for the drawing. Initialises *image, which the caller frees; on false
+// there is nothing to free. Leaves the framebuffer bound for reading.
 bool sb_target_read(const struct sb_target *target, struct sb_image *image,
                     struct sb_error *err);

@@ -1,5 +1,6 @@
-// Timer sources: a ladder of ways to ask GL how long a batch took. Each is a row; which one
-// tells the truth here is found out by the audit (gl/audit.c reads, stats/audit.h judges).
+// Timer sources: a ladder of ways to ask GL how long a batch took. Each is a row; which
+// one tells the truth here is found out by the audit (gl/audit.c reads, stats/audit.h
+// judges).
 #pragma once
 
 #include "gl/gl.h"
@@ -13,14 +14,14 @@ struct sb_query {
 enum sb_read { SB_READ_OK, SB_READ_LATER, SB_READ_DISJOINT };
 
 struct sb_timer_fns {
-    const char *name, *help; // "elapsed+flush": the word in --timer and timer_source
+    const char *name, *help; // "elapsed+finish": the word in --timer and timer_source
     bool (*usable)(const struct sb_caps *caps);
     int (*bits)(const struct sb_caps *caps); // of its counter; 0: it reads no query
     void (*begin)(struct sb_query *query);
     void (*end)(struct sb_query *query);
-    // After the batch was drained. 0 ns is a value, never "none": SB_NO_TIME says that the
-    // source reads no query, and the drained wall time of the batch is its answer. *ns is
-    // set with SB_READ_OK and with SB_READ_DISJOINT, where it is worth nothing.
+    // After the batch was drained. 0 ns is a value, never "none": SB_NO_TIME says that
+    // the source reads no query, and the drained wall time of the batch is its answer.
+    // *ns is set with SB_READ_OK and with SB_READ_DISJOINT, where it is worth nothing.
     enum sb_read (*read)(struct sb_query *query, const struct sb_caps *caps, int64_t *ns);
 };
 extern const struct sb_timer_fns *const sb_timers[]; // in ladder order, ends with NULL

@@ -6,26 +6,13 @@
 
 #include "base/clock.h"
 
-static enum sb_read read_query(struct sb_local *local, int64_t *ns)
-{
-    // After a drain the result should be there; one second is for drivers that deliver
-    // late.
-    const int64_t deadline = sb_clock_ns() + 1000000000;
-    for (;;) {
-        const enum sb_read state = local->timer->read(&local->query, &local->caps, ns);
-        if (state != SB_READ_LATER || sb_clock_ns() > deadline)
-            return state;
-        sb_sleep_ns(100000);
-    }
-}
-
 static void read_timer(struct sb_local *local, struct sb_sample *sample)
 {
     sample->gpu_ns = SB_NO_TIME;
     if (!local->timer)
         return;
     int64_t ns = SB_NO_TIME;
-    switch (read_query(local, &ns)) {
+    switch (sb_timer_read(local->timer, &local->query, &local->caps, &ns)) {
     case SB_READ_LATER:
         sample->flags |= SB_SAMPLE_LOST;
         return;

@@ -104,10 +104,8 @@ bool sb_check_fragment_bound(struct sb_task *task, const struct sb_driver *drive
     if (!shoot_least(driver, &large, &whole, err) ||
         !shoot_least(driver, &small, &quarter, err))
         return false;
-    const double growth = whole / (quarter / 4);
-    if (growth < 3) {
+    task->growth = whole / (quarter / 4);
+    if (task->growth < 3)
         task->status = SB_NOT_FRAGMENT_BOUND;
-        sb_task_note(task, "4x the pixels take %.1fx the time", growth);
-    }
     return true;
 }

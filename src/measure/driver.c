@@ -6,10 +6,10 @@
 #include "measure/driver.h"
 
 // The audit is a measurement too: another process may have had the cores for a while, so
-// a verdict of "none" is given a second reading before it is believed.
+// a verdict of "none" is read again, twice, before it is believed.
 static bool audit(struct sb_driver *driver, struct sb_error *err)
 {
-    for (int attempt = 0; attempt < 2; attempt++) {
+    for (int attempt = 0; attempt < 3; attempt++) {
         if (!driver->fns->audit(driver->runner, &driver->audit, err))
             return false;
         sb_audit_judge(&driver->audit, SB_TIMER_TOLERANCE);

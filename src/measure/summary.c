@@ -178,6 +178,7 @@ static void fill_work(const struct sb_task *task, struct sb_row *row,
     row->binary_hash = hash_text(arena, prepared->binary_hash);
     row->nonfinite = task->nonfinite;
     row->negative = task->negative;
+    row->growth_4x = task->growth > 0 ? task->growth : NAN;
     row->batch = task->batch ? task->batch : SB_NO_COUNT;
 }
 

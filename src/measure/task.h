@@ -19,7 +19,8 @@ struct sb_task {
     // check
     int64_t nonfinite, negative; // SB_NO_COUNT until checked
     // calibrate
-    int batch; // frames a batch
+    int batch;     // frames a batch
+    double growth; // time over that of a quarter of the pixels; 0: not known
     // rounds
     bool active;                  // still measured in this process
     const char *stop;             // half_width, budget, rounds, interrupted

@@ -107,7 +107,7 @@ void sb_scene_containers(struct sb_scene *scene, const struct sb_variant *varian
     };
     const struct sb_placement place = sb_placement_of(variant);
     const struct sb_mesh mesh =
-        sb_mesh_cube(&scene->arena, cells_of(variant->value[SB_AXIS_TESSELLATION]));
+        sb_mesh_cube(&scene->arena, cells_of(sb_triangles_wanted(variant, 12 * CUBES)));
     struct sb_draw draw[CUBES];
     for (int i = 0; i < CUBES; i++) {
         const struct sb_mat4 turned =

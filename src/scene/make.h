@@ -14,6 +14,8 @@ struct sb_placement {
     double aspect; // of the target, width to height
 };
 struct sb_placement sb_placement_of(const struct sb_variant *variant);
+// Triangles asked for, or where the variant asks for none the scene's own number.
+double sb_triangles_wanted(const struct sb_variant *variant, double own);
 struct sb_vec3 sb_placed(const struct sb_placement *place, struct sb_vec3 point);
 
 struct sb_camera_params {

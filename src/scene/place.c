@@ -11,6 +11,12 @@ struct sb_placement sb_placement_of(const struct sb_variant *variant)
     };
 }
 
+double sb_triangles_wanted(const struct sb_variant *variant, double own)
+{
+    const double wanted = variant->value[SB_AXIS_TESSELLATION];
+    return wanted > 0 ? wanted : own;
+}
+
 struct sb_vec3 sb_placed(const struct sb_placement *place, struct sb_vec3 point)
 {
     const struct sb_vec3 offset = {place->offset, place->offset, place->offset};

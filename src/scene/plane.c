@@ -102,7 +102,7 @@ void sb_scene_plane(struct sb_scene *scene, const struct sb_variant *variant)
     };
     // 2 (4 across along + across^2) triangles; a cell is square where `along` is `across`
     // times LENGTH / (2 HALF) = 6, which makes 50 across^2.
-    const double triangles = variant->value[SB_AXIS_TESSELLATION];
+    const double triangles = sb_triangles_wanted(variant, 200);
     const double across = fmax(1, round(sqrt(triangles / 50)));
     const double along = fmax(1, round((triangles / 2 - across * across) / (4 * across)));
 

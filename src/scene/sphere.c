@@ -54,7 +54,7 @@ void sb_scene_sphere(struct sb_scene *scene, const struct sb_variant *variant)
         .shininess = 32,
     };
     // 2 slices (stacks - 1) triangles, with twice as many slices as stacks.
-    const double triangles = variant->value[SB_AXIS_TESSELLATION];
+    const double triangles = sb_triangles_wanted(variant, 500);
     const int stacks = (int)fmax(2, round((1 + sqrt(1 + triangles)) / 2));
     const int slices = (int)fmax(3, round(triangles / (2 * (stacks - 1))));
 

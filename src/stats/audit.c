@@ -56,18 +56,27 @@ static double query_over_wall(const struct sb_timer_reading *r)
     return long_query(r) / (double)r->wall_ns;
 }
 
-static double wall_over_drained(const struct sb_timer_reading *r)
+static bool tells_of_draining(const struct sb_timer_reading *r)
 {
-    const bool tells = r->frames >= 2 && r->drained_ns >= long_frame_ns * r->frames;
-    return tells ? (double)r->wall_ns / (double)r->drained_ns : NAN;
+    return r->frames >= 2 && r->drained_ns >= long_frame_ns * r->frames;
 }
 
-// Median of a quantity over the repeats of a reading, or of the same load in batches of
-// another length; NAN where no repeat tells.
-static double median_of(const struct sb_audit *audit, const struct sb_timer_reading *like,
-                        int frames, double (*quantity)(const struct sb_timer_reading *))
+static double batch_wall(const struct sb_timer_reading *r)
 {
-    double values[SB_READING_MAX];
+    return tells_of_draining(r) ? (double)r->wall_ns : NAN;
+}
+
+static double drained_wall(const struct sb_timer_reading *r)
+{
+    return tells_of_draining(r) ? (double)r->drained_ns : NAN;
+}
+
+// The values of a quantity over the repeats of a reading, or of the same load in batches of
+// another length; returns how many there are.
+static int values_of(const struct sb_audit *audit, const struct sb_timer_reading *like,
+                     int frames, double (*quantity)(const struct sb_timer_reading *),
+                     double values[static SB_READING_MAX])
+{
     int n = 0;
     for (int i = 0; i < audit->reading_count; i++) {
         const struct sb_timer_reading *r = &audit->reading[i];
@@ -79,7 +88,23 @@ static double median_of(const struct sb_audit *audit, const struct sb_timer_read
             values[n++] = value;
     }
     sb_sort_doubles(values, n);
-    return sb_median(values, n);
+    return n;
+}
+
+static double median_of(const struct sb_audit *audit, const struct sb_timer_reading *like,
+                        int frames, double (*quantity)(const struct sb_timer_reading *))
+{
+    double values[SB_READING_MAX];
+    return sb_median(values, values_of(audit, like, frames, quantity, values));
+}
+
+// For times of different batches: another process can only make them longer, so the least
+// of the repeats is nearest to the time of the batch alone. NAN where no repeat tells.
+static double least_of(const struct sb_audit *audit, const struct sb_timer_reading *like,
+                       int frames, double (*quantity)(const struct sb_timer_reading *))
+{
+    double values[SB_READING_MAX];
+    return values_of(audit, like, frames, quantity, values) > 0 ? values[0] : NAN;
 }
 
 // The three ratios that are judged, each for the repeats of a reading.
@@ -93,14 +118,15 @@ static double wall_ratio(const struct sb_audit *audit, const struct sb_timer_rea
 static double drained_ratio(const struct sb_audit *audit,
                             const struct sb_timer_reading *at)
 {
-    return median_of(audit, at, at->frames, wall_over_drained);
+    return least_of(audit, at, at->frames, batch_wall) /
+           least_of(audit, at, at->frames, drained_wall);
 }
 
 static double doubling_ratio(const struct sb_audit *audit,
                              const struct sb_timer_reading *at)
 {
-    return median_of(audit, at, 2 * at->frames, query) /
-           (2 * median_of(audit, at, at->frames, long_query));
+    return least_of(audit, at, 2 * at->frames, query) /
+           (2 * least_of(audit, at, at->frames, long_query));
 }
 
 struct finding {

@@ -25,7 +25,7 @@ struct sb_timer_reading {
 };
 
 struct sb_timer_source {
-    const char *name;      // "elapsed+flush": the word in --timer and timer_source
+    const char *name;      // "elapsed+finish": the word in --timer and timer_source
     bool usable;           // the context has what it needs
     int bits;              // GL_QUERY_COUNTER_BITS; 0 for wall
     double granularity_ns; // smallest non-zero difference seen between short readings
@@ -48,7 +48,8 @@ struct sb_audit {
 // Judges every usable source over the readings, fills credible, error, reason and chosen.
 //
 // Readings of equal source, load, size and batch length repeat each other; disjoint ones
-// are left out, and ratios are judged by their median over the repeats. A source is
+// are left out. A ratio within one batch is judged by its median over the repeats, one
+// between batches by the least times, which a busy machine disturbs least. A source is
 // credible when all of this holds:
 //
 // - it has counter bits, or reads no query (query_ns equals wall_ns throughout);

@@ -1,7 +1,7 @@
-// The context that a program under tests/gl/ runs in: SB_TEST_CONTEXT (egl, osmesa, glfw; egl
-// if unset) and SB_TEST_API (gl, gles; gl if unset). Where it cannot be opened the program
-// exits with 77, "skipped", unless SB_REQUIRE_CONTEXTS, a list such as "egl,osmesa", names
-// it: then that is a failure.
+// The context that a program under tests/gl/ runs in: SB_TEST_CONTEXT (egl, osmesa, glfw;
+// egl if unset) and SB_TEST_API (gl, gles; gl if unset). Where it cannot be opened the
+// program exits with 77, "skipped", unless SB_REQUIRE_CONTEXTS, a list such as
+// "egl,osmesa", names it: then that is a failure.
 #pragma once
 
 #include <stdbool.h>
