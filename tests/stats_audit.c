@@ -70,6 +70,37 @@ static void a_right_timer_is_credible(void **state)
     check_close(source->error, 20000.0 / (FRAME_NS + 20000), 1e-12);
 }
 
+static void long_wait(struct sb_timer_reading *r, int repeat)
+{
+    (void)repeat;
+    r->wait_ns = 400000;
+    r->wall_ns = r->query_ns + r->wait_ns;
+}
+
+static void the_wait_for_a_batch_is_not_held_against_a_timer(void **state)
+{
+    (void)state;
+    const struct sb_timer_source *source = judge_one(long_wait);
+    assert_true(source->credible);
+    check_close(source->error, 0, 1e-12);
+}
+
+static void long_wait_of_the_clock(struct sb_timer_reading *r, int repeat)
+{
+    long_wait(r, repeat);
+    r->query_ns = r->wall_ns;
+}
+
+static void the_clock_itself_has_the_wait_as_its_error(void **state)
+{
+    (void)state;
+    struct sb_timer_source *source = add_source("wall", long_wait_of_the_clock);
+    source->bits = 0;
+    judge();
+    assert_true(source->credible);
+    check_close(source->error, 400000.0 / FRAME_NS, 1e-12);
+}
+
 static void last_tile_only(struct sb_timer_reading *r, int repeat)
 {
     (void)repeat;
@@ -503,6 +534,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         with_audit(a_right_timer_is_credible),
+        with_audit(the_wait_for_a_batch_is_not_held_against_a_timer),
+        with_audit(the_clock_itself_has_the_wait_as_its_error),
         with_audit(a_timer_of_the_last_tile_is_not_credible),
         with_audit(a_timer_that_misses_vertex_work_is_not_credible),
         with_audit(the_first_credible_source_of_the_ladder_is_chosen),

@@ -15,9 +15,9 @@ enum {
 };
 
 // A timed frame takes 20 times what waiting for a frame costs (45 us on a software
-// renderer, 250 us by way of a translating driver), so that the wait stays inside the
-// tolerance: 28 frames by every source, five times over, take two seconds at the
-// shortest.
+// renderer, 250 us by way of a translating driver), so that a wait that was measured wrong
+// by half stays inside the tolerance: 28 frames by every source, five times over, take two
+// seconds at the shortest.
 static const int64_t waits_per_frame = 20;
 static const int64_t shortest_frame_ns = 2200000, longest_frame_ns = 10000000;
 
@@ -41,6 +41,7 @@ struct bench {
     struct sb_audit *audit;
     struct sb_query query[SB_TIMER_MAX];
     int64_t frame_ns; // how long a frame is to take
+    int64_t wait_ns;  // what waiting for a batch costs by itself
 };
 
 static void time_batch(struct bench *bench, const struct sb_gl_load *load,
@@ -59,6 +60,7 @@ static void time_batch(struct bench *bench, const struct sb_gl_load *load,
     timer->end(query);
     sb_gl_drain();
     reading->wall_ns = sb_clock_ns() - start;
+    reading->wait_ns = bench->wait_ns;
     const enum sb_read read =
         sb_timer_read(timer, query, bench->caps, &reading->query_ns);
     reading->disjoint = read == SB_READ_DISJOINT;
@@ -210,7 +212,8 @@ static bool read_resolutions(struct bench *bench, struct sb_error *err)
         if (bench->audit->source[i].usable)
             read_resolution(bench, &load, i);
     if (made) {
-        const int64_t ns = waits_per_frame * cost_of_waiting(&load);
+        bench->wait_ns = cost_of_waiting(&load);
+        const int64_t ns = waits_per_frame * bench->wait_ns;
         bench->frame_ns = ns < shortest_frame_ns  ? shortest_frame_ns
                           : ns > longest_frame_ns ? longest_frame_ns
                                                   : ns;

@@ -8,7 +8,7 @@
 
 // The clauses of sb_audit_judge's contract, where these numbers are explained.
 static const int64_t long_batch_ns = 2000000, long_frame_ns = 1000000;
-static const double room_below = 0.03, least_of_drained = 0.8, most_of_doubled = 1.25;
+static const double least_of_drained = 0.8, most_of_doubled = 1.25;
 static const double least_of_doubled[SB_LOAD_COUNT] = {
     [SB_LOAD_FRAGMENT] = 0.8,
     [SB_LOAD_VERTEX] = 0.7,
@@ -53,7 +53,7 @@ static double long_query(const struct sb_timer_reading *r)
 
 static double query_over_wall(const struct sb_timer_reading *r)
 {
-    return long_query(r) / (double)r->wall_ns;
+    return long_query(r) / (double)(r->wall_ns - r->wait_ns);
 }
 
 static bool tells_of_draining(const struct sb_timer_reading *r)
@@ -212,7 +212,7 @@ static bool judge_wall(struct sb_audit *audit, int s, double lo, double hi)
         if (!bad.judged)
             return refuse(source, "no batch of the %s load took 2 ms, enough to judge by",
                           load_names[load]);
-        if (bad.at)
+        if (bad.at && source->bits > 0)
             return refuse(source, "%s: it reads %.3f of the wall time, not %.2f to %.2f",
                           place(bad.at, text), bad.ratio, lo, hi);
     }
@@ -261,7 +261,7 @@ static double largest_error(const struct sb_audit *audit, int s)
 
 void sb_audit_judge(struct sb_audit *audit, double tolerance)
 {
-    const double lo = 1 - tolerance - room_below, hi = 1 + tolerance;
+    const double lo = 1 - tolerance, hi = 1 + tolerance;
     audit->chosen = -1;
     for (int s = 0; s < audit->source_count; s++) {
         struct sb_timer_source *source = &audit->source[s];

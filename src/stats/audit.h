@@ -18,6 +18,7 @@ struct sb_timer_reading {
     int frames;          // K: whole frames in the batch, over a ring of targets
     int64_t query_ns;    // what the source says of the batch
     int64_t wall_ns;     // monotonic clock from before the first command to drained
+    int64_t wait_ns;     // what waiting for any batch costs by itself, a part of wall_ns
     int64_t drained_ns;  // K frames, each drained by itself: the sum of their wall times
     int64_t samples;     // samples that passed in the batch, and in one frame; -1 where
     int64_t samples_one; // the API cannot count them
@@ -57,9 +58,10 @@ struct sb_audit {
 //   ten times its wall; the first query of a context may be);
 // - samples that passed in K frames are K times one frame's, and the fragment load's more
 //   than none;
-// - query/wall lies in [1 - tolerance - 0.03, 1 + tolerance]: a drained wall is a little
-//   longer than the work itself. Judged from 2 ms of wall on, since shorter batches are
-//   mostly overhead; each load must have such batches;
+// - query / (wall - wait) lies in [1 - tolerance, 1 + tolerance]. Judged from 2 ms of wall on,
+//   since shorter batches are mostly overhead; each load must have such batches. A source
+//   that reads no query is the wall clock itself: its error is the share of the wait, which
+//   says how far it may be trusted, and refuses nothing;
 // - K >= 2 frames of the fragment load in a batch take at least 0.8 of K drained frames,
 //   else draws were dropped. Judged where a drained frame takes 1 ms or more, so that the
 //   draining itself counts for little; there must be such batches. The vertex load is
