@@ -255,10 +255,10 @@ static void flagged_samples_are_kept_on_disk_and_enter_no_estimate(void **state)
     fixture_end(&f);
 }
 
-static bool third_round_fails(void *user, int64_t round)
+static bool round_fails_after_some(void *user, int64_t round)
 {
     (void)user;
-    return round == 40;
+    return round == 70;
 }
 
 static void a_driver_that_dies_in_a_round_costs_that_round_only(void **state)
@@ -266,7 +266,7 @@ static void a_driver_that_dies_in_a_round_costs_that_round_only(void **state)
     (void)state;
     struct fixture f;
     struct sb_csv csv;
-    next_script.round_fails = third_round_fails;
+    next_script.round_fails = round_fails_after_some;
     fixture_begin(&f, "1,2", SETTINGS("first_look", "60", "rounds", "60"));
     assert_true(fixture_run(&f, false));
     assert_string_equal(f.result.row[0].status, "gl_error");

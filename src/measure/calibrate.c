@@ -43,9 +43,12 @@ static double wanted_ns(const struct sb_driver *driver,
 bool sb_calibrate_batch(struct sb_task *task, const struct sb_driver *driver,
                         const struct sb_measure_settings *settings, struct sb_error *err)
 {
-    task->batch = settings->batch > 0 ? (int)settings->batch : 1;
-    if (settings->batch > 0)
+    if (settings->batch > 0) {
+        task->batch = (int)settings->batch;
         return true;
+    }
+    if (task->batch == 0)
+        task->batch = 1;
     const double wanted = wanted_ns(driver, settings);
     for (int step = 0; step < 16; step++) {
         double ns;

@@ -154,21 +154,40 @@ static void activate(struct sb_run_state *run)
     }
 }
 
-static bool calibrate_all(struct sb_run_state *run, struct sb_error *err)
+static void calibrate_all(struct sb_run_state *run)
 {
     const struct sb_measure_settings *settings = &run->params->suite->measure;
     for (int i = 0; i < run->task_count && !sb_interrupted(); i++) {
         struct sb_task *task = &run->task[i];
-        show_stage("calibrating variant", i, run->task_count);
         struct sb_error failure = {0};
-        if (!sb_task_sound(task))
-            continue;
-        if ((task->batch == 0 &&
-             !sb_calibrate_batch(task, &run->driver, settings, &failure)) ||
-            !sb_check_fragment_bound(task, &run->driver, &failure))
+        show_stage("calibrating variant", i, run->task_count);
+        // Samples of an earlier process fix the batch: lengths do not change within a row.
+        if (sb_task_sound(task) && task->sample_count == 0 &&
+            !sb_calibrate_batch(task, &run->driver, settings, &failure))
             sb_task_fail(task, &failure);
     }
-    return sb_warm_up(run->task, run->task_count, &run->driver, settings, err);
+}
+
+static void check_fragment_bound(struct sb_run_state *run)
+{
+    for (int i = 0; i < run->task_count && !sb_interrupted(); i++) {
+        struct sb_task *task = &run->task[i];
+        struct sb_error failure = {0};
+        if (sb_task_sound(task) && !sb_check_fragment_bound(task, &run->driver, &failure))
+            sb_task_fail(task, &failure);
+    }
+}
+
+// Cold frames take longer, so batches found before the warm-up may be too short after it.
+static bool make_ready(struct sb_run_state *run, struct sb_error *err)
+{
+    const struct sb_measure_settings *settings = &run->params->suite->measure;
+    calibrate_all(run);
+    if (!sb_warm_up(run->task, run->task_count, &run->driver, settings, err))
+        return false;
+    calibrate_all(run);
+    check_fragment_bound(run);
+    return true;
 }
 
 // --- the rounds ------------------------------------------------------------------------------
@@ -211,7 +230,7 @@ static bool measure(struct sb_run_state *run, struct sb_error *err)
     check_all(run);
     if (run->params->images && !write_images(run, err))
         return false;
-    if (!calibrate_all(run, err))
+    if (!make_ready(run, err))
         return false;
     activate(run);
     if (!write_files(run, false, err))
