@@ -54,7 +54,7 @@ static void real_cell(struct sb_table *table, const char *format, double value)
     sb_table_cell(table, text);
 }
 
-static void add_row(struct sb_table *table, const struct sb_row *row, bool statuses)
+static void add_times(struct sb_table *table, const struct sb_row *row, bool statuses)
 {
     const double half =
         fmax(row->ci_hi_ms - row->median_ms, row->median_ms - row->ci_lo_ms);
@@ -96,20 +96,89 @@ static void print_statuses(const struct sb_row *row, int count)
     }
 }
 
+// An axis that not all rows were given, or not with the same value.
+static bool is_given_differently(const struct sb_row *row, int count, int axis)
+{
+    for (int i = 1; i < count; i++)
+        if (sb_variant_given(row[i].axes, axis) != sb_variant_given(row[0].axes, axis) ||
+            row[i].axes->value[axis] != row[0].axes->value[axis])
+            return true;
+    return false;
+}
+
+// The part of the row's id that sets it apart from the others.
+static void distinct_id(const struct sb_axes *axes, const struct sb_row *rows, int count,
+                        const struct sb_row *row, struct sb_text *text)
+{
+    struct sb_text value = {0};
+    for (int a = 0; a < axes->count; a++) {
+        sb_text_clear(&value);
+        sb_variant_value_text(axes, row->axes, a, &value);
+        if (value.length && sb_variant_given(row->axes, a) &&
+            is_given_differently(rows, count, a))
+            sb_text_printf(text, "%s%s=%s", text->length ? "," : "", axes->row[a].name,
+                           value.data);
+    }
+    if (!text->length)
+        sb_text_add(text, "base");
+    sb_text_free(&value);
+}
+
+// What tells the rows apart: a column for each axis that varies or, where these are many,
+// one column with the distinct part of the id.
+enum { AXIS_COLUMNS_MAX = 5 };
+
+struct key_columns {
+    bool scene, id, axis[SB_AXIS_MAX];
+};
+
+static void add_key_columns(struct sb_table *table, const struct sb_axes *axes,
+                            const struct sb_row *row, int count, struct key_columns *key)
+{
+    int shown = 0;
+    key->scene = scene_varies(row, count);
+    for (int a = 0; a < axes->count; a++) {
+        key->axis[a] =
+            axis_varies(axes, row, count, a) && !is_set_by_shorthand(axes, row, count, a);
+        shown += key->axis[a];
+    }
+    key->id = shown > AXIS_COLUMNS_MAX;
+    if (key->scene)
+        sb_table_column(table, "scene", false);
+    if (key->id)
+        sb_table_column(table, "variant", false);
+    for (int a = 0; !key->id && a < axes->count; a++)
+        if (key->axis[a])
+            sb_table_column(table, axes->row[a].name, !axes->row[a].values);
+}
+
+static void add_key_cells(struct sb_table *table, const struct sb_axes *axes,
+                          const struct sb_row *rows, int count, const struct sb_row *row,
+                          const struct key_columns *key)
+{
+    struct sb_text text = {0};
+    if (key->scene)
+        sb_table_cell(table, row->scene);
+    if (key->id) {
+        distinct_id(axes, rows, count, row, &text);
+        sb_table_cell(table, sb_text_get(&text));
+    }
+    for (int a = 0; !key->id && a < axes->count; a++) {
+        sb_text_clear(&text);
+        sb_variant_value_text(axes, row->axes, a, &text);
+        if (key->axis[a])
+            sb_table_cell(table, sb_text_get(&text));
+    }
+    sb_text_free(&text);
+}
+
 void sb_report_table(const struct sb_suite *suite, const struct sb_row *row, int count)
 {
     const struct sb_axes *axes = &suite->axes;
     struct sb_table *table = sb_table_new();
-    bool shown[SB_AXIS_MAX], statuses = false;
-    const bool scenes = scene_varies(row, count);
-    if (scenes)
-        sb_table_column(table, "scene", false);
-    for (int a = 0; a < axes->count; a++) {
-        shown[a] =
-            axis_varies(axes, row, count, a) && !is_set_by_shorthand(axes, row, count, a);
-        if (shown[a])
-            sb_table_column(table, axes->row[a].name, !axes->row[a].values);
-    }
+    struct key_columns key;
+    bool statuses = false;
+    add_key_columns(table, axes, row, count, &key);
     for (int i = 0; i < count; i++)
         statuses |= strcmp(row[i].status, "ok") != 0;
     sb_table_column(table, "median ms", true);
@@ -120,16 +189,8 @@ void sb_report_table(const struct sb_suite *suite, const struct sb_row *row, int
     if (statuses)
         sb_table_column(table, "status", false);
     for (int i = 0; i < count; i++) {
-        if (scenes)
-            sb_table_cell(table, row[i].scene);
-        for (int a = 0; a < axes->count; a++) {
-            struct sb_text text = {0};
-            sb_variant_value_text(axes, row[i].axes, a, &text);
-            if (shown[a])
-                sb_table_cell(table, sb_text_get(&text));
-            sb_text_free(&text);
-        }
-        add_row(table, &row[i], statuses);
+        add_key_cells(table, axes, row, count, &row[i], &key);
+        add_times(table, &row[i], statuses);
     }
     sb_table_print(table);
     sb_table_free(&table);
