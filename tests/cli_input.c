@@ -1,26 +1,12 @@
 // The bad-input tour: whatever is wrong gets one clear line and the right exit code.
 #include "cli_fixture.h"
 
-#include "base/file.h"
-
-static char dir[64];
-
-static const char *write_file(const char *name, const char *text)
-{
-    static char path[128];
-    struct sb_error err = {0};
-    snprintf(path, sizeof path, "%s/%s", dir, name);
-    if (!sb_file_replace(path, text, strlen(text), &err))
-        fail_msg("%s", err.text);
-    return path;
-}
-
 // Runs a suite of this text on the null runner.
 static void check_suite(const char *text, int code, const char *part)
 {
     char arguments[512];
-    snprintf(arguments, sizeof arguments, "run --context null -q -o %s/out-%d %s", dir,
-             rand(), write_file("suite.yaml", text));
+    snprintf(arguments, sizeof arguments, "run --context null -q -o %s/out-%d %s",
+             test_dir, rand(), write_file("suite.yaml", text));
     check_answer(arguments, code, part);
 }
 
@@ -34,7 +20,7 @@ static void unknown_words_are_answered_with_the_nearest_and_the_valid(void **sta
     check_answer("run --context null --set vretex=1", 2, "unknown axis \"vretex\"");
     check_answer("run --context nul", 2, "null");
     check_answer("run --context null --scene speher", 2, "sphere");
-    check_answer("list axises", 2, "valid: suites");
+    check_answer("list axises", 2, "did you mean \"axes\"? valid: suites");
     check_answer("run --context null --set point=1 --timer elapsd", 2, "unknown timer");
     check_answer("show point=4,stag=vertex", 2, "stag");
     check_answer("run --preset delfi --context null", 2, "delfi");
@@ -53,7 +39,7 @@ static void wrong_values_say_what_is_valid(void **state)
     check_answer("run --context null --device x --set point=1", 2, "--device x");
     check_answer("run --budget", 2, "wants a value");
     check_answer("run --quiet=yes", 2, "takes no value");
-    check_answer("run a b", 2, "one too many");
+    check_answer("run a b", 2, "\"b\" is one too many");
 }
 
 static void what_is_not_implemented_is_refused_by_name(void **state)
@@ -114,37 +100,64 @@ static void folders_that_cannot_be_read_or_written_are_named(void **state)
     check_answer(arguments, 2, "Not a directory");
     snprintf(arguments, sizeof arguments,
              "run --context null --set point=1 -q --shaders %s/none -o %s/shaders-out",
-             dir, dir);
+             test_dir, test_dir);
     check_answer(arguments, 2, "none");
     check_answer("run --context null --set point=1 -q -o /proc/shadebench", 2,
                  "/proc/shadebench");
 }
 
-static void a_full_disk_ends_the_run_and_still_shows_the_table(void **state)
-{
-    (void)state;
-    char arguments[512], path[128];
-    snprintf(path, sizeof path, "%s/full", dir);
-    struct sb_error err = {0};
-    assert_true(sb_dir_make(path, &err));
-    snprintf(path, sizeof path, "%s/full/samples.csv", dir);
-    // Every write to /dev/full fails as on a full disk.
-    if (symlink("/dev/full", path) != 0)
-        skip();
-    snprintf(arguments, sizeof arguments,
-             "run --context null --set point=1 -q -o %s/full", dir);
-    check_answer(arguments, 2, "samples.csv");
-}
-
 static void a_results_folder_is_never_overwritten(void **state)
 {
     (void)state;
-    char arguments[512];
-    snprintf(arguments, sizeof arguments,
-             "run --context null --set point=1 -q --rounds 10 --first-look 10 -o %s/once",
-             dir);
-    check_answer(arguments, 0, "results:");
-    check_answer(arguments, 2, "--resume");
+    static const char again[] =
+        "run --context null --set point=1 -q --rounds 10 --first-look 10 -o @/once";
+    check_answer(again, 0, "results:");
+    char *before = read_file("once/samples.csv");
+    check_answer(again, 2, "--resume");
+    char *after = read_file("once/samples.csv");
+    assert_string_equal(before, after);
+    free(before);
+    free(after);
+}
+
+// What a newcomer types instead of --set is answered with the way to say it.
+static void misspelt_ways_to_set_an_axis_are_answered_with_the_right_one(void **state)
+{
+    (void)state;
+    check_answer("run --point 4", 2, "--set point=4");
+    check_answer("run --point=4", 2, "--set point=4");
+    check_answer("run --point", 2, "--set point=VALUE");
+    check_answer("run --point --quiet", 2, "--set point=VALUE");
+    check_answer("show --stage vertex", 2, "--set stage=vertex");
+    check_answer("run point=4", 2, "--set point=4");
+    check_answer("run lights point=4,stage=vertex", 2, "set with --set point=4\n");
+    check_answer("run --set point 4", 2, "--set point=4");
+    check_answer("show vertex", 2, "--set stage=vertex");
+    check_answer("show point=4 vertex", 2, "--set stage=vertex");
+    check_answer("probe egl", 2, "--context egl");
+    check_answer("run context=egl", 2, "--context egl");
+    check_answer("probe --point 4", 2, "valid: --timer"); // probe draws no variant
+}
+
+static void a_word_of_another_kind_is_answered_with_its_place(void **state)
+{
+    (void)state;
+    check_answer("lights", 2, "\"lights\" is a suite: shadebench run lights");
+    check_answer("run light", 2, "did you mean \"lights\"?");
+    check_answer("list preset", 2, "did you mean \"presets\"?");
+    check_answer("run --shaders @/none", 2, "/none: there is no such folder");
+    check_answer("help rnu", 2, "did you mean \"run\"?");
+    check_answer("help run", 0, "--first-look");
+    // A suite whose name is the value of an axis, too, is the suite.
+    check_answer("show lights", 0, "variants;");
+}
+
+static void glsl_of_the_other_api_is_refused_with_the_versions_that_go(void **state)
+{
+    (void)state;
+    check_answer("run --context null --glsl 300es -q -o @/es", 2, "valid here: 330 450");
+    check_answer("run --context null --api gles --glsl 330 -q -o @/gl", 2,
+                 "valid here: 100 300es 310es");
 }
 
 static void help_names_every_option_and_setting(void **state)
@@ -159,9 +172,7 @@ static void help_names_every_option_and_setting(void **state)
 
 int main(void)
 {
-    snprintf(dir, sizeof dir, "/tmp/shadebench-cli-XXXXXX");
-    if (!mkdtemp(dir))
-        return 1;
+    begin_tests();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(unknown_words_are_answered_with_the_nearest_and_the_valid),
         cmocka_unit_test(wrong_values_say_what_is_valid),
@@ -169,12 +180,11 @@ int main(void)
         cmocka_unit_test(a_wrong_suite_file_names_file_line_and_column),
         cmocka_unit_test(every_message_is_one_line),
         cmocka_unit_test(folders_that_cannot_be_read_or_written_are_named),
-        cmocka_unit_test(a_full_disk_ends_the_run_and_still_shows_the_table),
         cmocka_unit_test(a_results_folder_is_never_overwritten),
+        cmocka_unit_test(misspelt_ways_to_set_an_axis_are_answered_with_the_right_one),
+        cmocka_unit_test(a_word_of_another_kind_is_answered_with_its_place),
+        cmocka_unit_test(glsl_of_the_other_api_is_refused_with_the_versions_that_go),
         cmocka_unit_test(help_names_every_option_and_setting),
     };
-    const int failed = run_tests(tests);
-    char command[128];
-    snprintf(command, sizeof command, "rm -rf '%s'", dir);
-    return failed | (system(command) != 0);
+    return end_tests(run_tests(tests));
 }

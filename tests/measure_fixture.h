@@ -31,20 +31,29 @@ static inline void *open_with_script(const struct sb_context_params *params,
     return runner;
 }
 
-static inline void fixture_begin(struct fixture *fixture, const char *sweep,
-                                 const char *const *settings, int setting_count)
+static inline void fixture_begin_axis(struct fixture *fixture, const char *axis,
+                                      const char *sweep, const char *const *settings,
+                                      int setting_count)
 {
     *fixture = (struct fixture){0};
     sb_log_set_level(SB_LOG_QUIET);
     snprintf(fixture->dir, sizeof fixture->dir, "/tmp/shadebench-run-XXXXXX");
     assert_non_null(mkdtemp(fixture->dir));
-    const struct sb_assignment assignment = {"point", sweep, "--sweep"};
+    const struct sb_assignment assignment = {axis, sweep, "--sweep"};
     const struct sb_suite_params params = {.sweep = &assignment, .sweep_count = 1};
     if (!sb_suite_load(&params, &fixture->suite, &fixture->err))
         fail_msg("%s", fixture->err.text);
+    // The null runner takes no time, so no look may wait for any.
+    assert_true(sb_measure_set(&fixture->suite.measure, "span", "0", &fixture->err));
     for (int i = 0; i < setting_count; i += 2)
         assert_true(sb_measure_set(&fixture->suite.measure, settings[i], settings[i + 1],
                                    &fixture->err));
+}
+
+static inline void fixture_begin(struct fixture *fixture, const char *points,
+                                 const char *const *settings, int setting_count)
+{
+    fixture_begin_axis(fixture, "point", points, settings, setting_count);
 }
 
 static inline bool fixture_run(struct fixture *fixture, bool append)

@@ -53,7 +53,7 @@ static void the_calls_come_in_the_order_of_the_method(void **state)
     struct sb_text log = {0};
     next_script.frame_ns = exact_ns;
     next_script.log = &log;
-    fixture_begin(&f, "1,2", SETTINGS("first_look", "4", "rounds", "4"));
+    fixture_begin(&f, "1,2", SETTINGS("first_look", "20", "rounds", "20"));
     assert_true(fixture_run(&f, false));
     // Audit and probe before anything is prepared; all is prepared and checked before a
     // shot; nothing is prepared after.
@@ -151,7 +151,7 @@ static void a_variant_that_fails_to_compile_costs_only_its_row(void **state)
     (void)state;
     struct fixture f;
     next_script.prepare = fail_to_compile;
-    fixture_begin(&f, "1,2,3", SETTINGS("first_look", "4", "rounds", "4"));
+    fixture_begin(&f, "1,2,3", SETTINGS("first_look", "20", "rounds", "20"));
     assert_true(fixture_run(&f, false));
     assert_int_equal(f.result.exit_code, 3);
     assert_string_equal(f.result.row[1].status, "compile_failed");
@@ -176,12 +176,49 @@ static void a_picture_with_nan_is_not_timed(void **state)
     (void)state;
     struct fixture f;
     next_script.colour = nan_colour;
-    fixture_begin(&f, "1,2", SETTINGS("first_look", "4", "rounds", "4"));
+    fixture_begin(&f, "1,2", SETTINGS("first_look", "20", "rounds", "20"));
     assert_true(fixture_run(&f, false));
     assert_string_equal(f.result.row[1].status, "non_finite");
-    assert_int_equal(f.result.row[1].nonfinite, 64 * 64 * 4);
+    assert_int_equal(f.result.row[1].nonfinite, 64 * 64 * 3);
     assert_true(isnan(f.result.row[1].median_ms));
     assert_int_equal(f.result.exit_code, 3);
+    fixture_end(&f);
+}
+
+// Each variant another picture: with storage varied they are one class, and must not differ.
+static float colour_of_job(void *user, const struct sb_job *job,
+                           const struct sb_image_request *request)
+{
+    (void)user;
+    return 0.25f + 0.01f * (float)job->id + 0.001f * (float)request->off_count;
+}
+
+static void a_class_that_draws_two_pictures_is_refused(void **state)
+{
+    (void)state;
+    struct fixture f;
+    next_script.colour = colour_of_job;
+    fixture_begin_axis(&f, "storage", "uniform,ubo_std140", SETTINGS("rounds", "20"));
+    assert_true(fixture_run(&f, false));
+    assert_string_equal(f.result.row[0].status, "ok");
+    assert_string_equal(f.result.row[1].status, "class_broken");
+    check_contains(f.result.row[1].note, "differs from storage=uniform by 0.01");
+    check_close(f.result.row[1].class_spread, 0.01, 1e-6);
+    assert_true(isnan(f.result.row[0].class_spread));
+    assert_int_equal(f.result.exit_code, 3);
+    fixture_end(&f);
+}
+
+static void variants_of_other_classes_may_differ(void **state)
+{
+    (void)state;
+    struct fixture f;
+    next_script.colour = colour_of_job;
+    fixture_begin_axis(&f, "model", "lambert,blinn",
+                       SETTINGS("first_look", "20", "rounds", "20"));
+    assert_true(fixture_run(&f, false));
+    assert_string_equal(f.result.row[1].status, "ok");
+    assert_true(isnan(f.result.row[1].class_spread));
     fixture_end(&f);
 }
 
@@ -199,7 +236,7 @@ static void a_black_picture_is_not_timed(void **state)
     (void)state;
     struct fixture f;
     next_script.colour = black;
-    fixture_begin(&f, "1", SETTINGS("first_look", "4", "rounds", "4"));
+    fixture_begin(&f, "1", SETTINGS("first_look", "20", "rounds", "20"));
     assert_true(fixture_run(&f, false));
     assert_string_equal(f.result.row[0].status, "blank_picture");
     fixture_end(&f);
@@ -224,7 +261,7 @@ static void a_dead_light_is_found_and_named(void **state)
     (void)state;
     struct fixture f;
     next_script.colour = without_light_5;
-    fixture_begin(&f, "8", SETTINGS("first_look", "4", "rounds", "4"));
+    fixture_begin(&f, "8", SETTINGS("first_look", "20", "rounds", "20"));
     assert_true(fixture_run(&f, false));
     assert_string_equal(f.result.row[0].status, "dead_light");
     check_contains(f.result.row[0].note, "point light 5 changes no pixel");
@@ -288,6 +325,32 @@ static void without_a_credible_timer_nothing_is_measured(void **state)
     assert_false(fixture_run(&f, false));
     assert_int_equal(f.err.status, SB_NO_TIMER);
     check_contains(f.err.text, "scripted");
+    fixture_end(&f);
+}
+
+static void other_inputs(void *user, const struct sb_job *job,
+                         struct sb_prepared *prepared)
+{
+    (void)job;
+    prepared->input_hash = *(uint64_t *)user;
+}
+
+static void a_process_that_would_draw_something_else_is_refused(void **state)
+{
+    (void)state;
+    struct fixture f;
+    uint64_t hash = 7;
+    next_script.prepare = other_inputs;
+    next_script.user = &hash;
+    fixture_begin(&f, "1",
+                  SETTINGS("first_look", "20", "rounds", "20", "processes", "3"));
+    assert_true(fixture_run(&f, false));
+    hash = 8;
+    assert_false(fixture_run(&f, true));
+    assert_int_equal(f.err.status, SB_BAD_INPUT);
+    check_contains(f.err.text, "point=1: the scene has other values");
+    hash = 7;
+    assert_true(fixture_run(&f, true));
     fixture_end(&f);
 }
 
@@ -377,11 +440,14 @@ int main(void)
         cmocka_unit_test(the_budget_ends_a_run),
         cmocka_unit_test(a_variant_that_fails_to_compile_costs_only_its_row),
         cmocka_unit_test(a_picture_with_nan_is_not_timed),
+        cmocka_unit_test(a_class_that_draws_two_pictures_is_refused),
+        cmocka_unit_test(variants_of_other_classes_may_differ),
         cmocka_unit_test(a_black_picture_is_not_timed),
         cmocka_unit_test(a_dead_light_is_found_and_named),
         cmocka_unit_test(flagged_samples_are_kept_on_disk_and_enter_no_estimate),
         cmocka_unit_test(a_driver_that_dies_in_a_round_costs_that_round_only),
         cmocka_unit_test(without_a_credible_timer_nothing_is_measured),
+        cmocka_unit_test(a_process_that_would_draw_something_else_is_refused),
         cmocka_unit_test(two_processes_give_the_interval_between_them),
         cmocka_unit_test(an_interrupted_run_keeps_its_rounds_and_says_so),
     };

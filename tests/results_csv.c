@@ -99,6 +99,7 @@ static void broken_files_name_the_line(void **state)
         {"", "empty"},
         {"a,b\n1,2\n3\n", ":3: 1 fields; the header has 2"},
         {"a,b\n1,\"2\n", ":2: a quote that is not closed"},
+        {"a,b\n\"1\"x,2\n", ":2: a quote that is not closed, or text behind one"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct sb_csv csv = {0};

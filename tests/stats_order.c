@@ -38,24 +38,6 @@ static void quantiles_are_of_type_seven(void **state)
     assert_true(isnan(sb_quantile(values, 0, .5)));
 }
 
-static void mad_equals_the_median_of_listed_deviations(void **state)
-{
-    (void)state;
-    struct sb_random random = sb_random_seed(11);
-    for (int n = 1; n <= 40; n++)
-        for (int repeat = 0; repeat < 20; repeat++) {
-            double values[40], deviations[40];
-            for (int i = 0; i < n; i++) // small whole numbers: many ties
-                values[i] = (double)sb_random_below(&random, 12);
-            sb_sort_doubles(values, n);
-            for (int i = 0; i < n; i++)
-                deviations[i] = fabs(values[i] - sb_median(values, n));
-            sb_sort_doubles(deviations, n);
-            check_close(sb_mad(values, n), sb_median(deviations, n), 0);
-        }
-    assert_true(isnan(sb_mad(NULL, 0)));
-}
-
 // With 1 ... n as samples, the lower bound is the rank itself.
 static double rank_at(int n, double level)
 {
@@ -149,7 +131,6 @@ int main(void)
         cmocka_unit_test(sorting_is_ascending_and_keeps_every_value),
         cmocka_unit_test(median_is_the_middle_value_or_the_mean_of_two),
         cmocka_unit_test(quantiles_are_of_type_seven),
-        cmocka_unit_test(mad_equals_the_median_of_listed_deviations),
         cmocka_unit_test(median_interval_has_the_ranks_of_published_tables),
         cmocka_unit_test(median_interval_covers_over_all_patterns_and_is_the_narrowest),
         cmocka_unit_test(median_interval_is_exact_for_a_million_samples_too),

@@ -5,17 +5,34 @@
 // The environment of each value of the driver axis. Mesa: docs.mesa3d.org/envvars.html
 static const struct {
     int driver;
-    const char *name, *value;
+    const char *name, *value; // NULL: must not be set
 } environment[] = {
     {SB_DRIVER_LLVMPIPE, "LIBGL_ALWAYS_SOFTWARE", "1"},
     {SB_DRIVER_LLVMPIPE, "GALLIUM_DRIVER", "llvmpipe"},
+    {SB_DRIVER_LLVMPIPE, "MESA_LOADER_DRIVER_OVERRIDE", NULL},
     {SB_DRIVER_SOFTPIPE, "LIBGL_ALWAYS_SOFTWARE", "1"},
     {SB_DRIVER_SOFTPIPE, "GALLIUM_DRIVER", "softpipe"},
+    {SB_DRIVER_SOFTPIPE, "MESA_LOADER_DRIVER_OVERRIDE", NULL},
     {SB_DRIVER_ZINK, "LIBGL_ALWAYS_SOFTWARE", "1"},
     {SB_DRIVER_ZINK, "GALLIUM_DRIVER", "zink"},
     {SB_DRIVER_ZINK, "MESA_LOADER_DRIVER_OVERRIDE", "zink"},
-    {SB_DRIVER_ZINK, "XDG_RUNTIME_DIR", "/tmp"}, // lavapipe's loader wants one
 };
+
+// Asked for by name, a driver wins over what the environment says: a row must not name one
+// and measure another.
+static void set_driver(int driver)
+{
+    for (size_t i = 0; i < sizeof environment / sizeof *environment; i++) {
+        if (environment[i].driver != driver)
+            continue;
+        if (environment[i].value)
+            setenv(environment[i].name, environment[i].value, 1);
+        else
+            unsetenv(environment[i].name);
+    }
+    if (driver == SB_DRIVER_ZINK)
+        setenv("XDG_RUNTIME_DIR", "/tmp", 0); // lavapipe's loader wants one
+}
 
 static bool check_equal(const struct sb_suite *suite, struct sb_error *err)
 {
@@ -40,9 +57,7 @@ bool sb_platform_apply(const struct sb_suite *suite, struct sb_context_params *p
     if (!check_equal(suite, err))
         return false;
     const double *value = suite->entry[0].variant.value;
-    for (size_t i = 0; i < sizeof environment / sizeof *environment; i++)
-        if (environment[i].driver == (int)value[SB_AXIS_DRIVER])
-            setenv(environment[i].name, environment[i].value, 0);
+    set_driver((int)value[SB_AXIS_DRIVER]);
     if (value[SB_AXIS_THREADS] >= 0) {
         char number[32];
         setenv("LP_NUM_THREADS", sb_number_text(value[SB_AXIS_THREADS], number), 1);
@@ -79,4 +94,12 @@ struct sb_asked_precision sb_platform_precision(const struct sb_variant *variant
             asked.lowest = (int)value[a];
     }
     return asked;
+}
+
+bool sb_platform_class_exact(const struct sb_variant *variant)
+{
+    return sb_platform_precision(variant).lowest == 0 &&
+           variant->value[SB_AXIS_FORM] == SB_FORM_ROBUST &&
+           variant->value[SB_AXIS_EMULATE] == SB_EMULATE_NONE &&
+           variant->value[SB_AXIS_OFFSET] == 0;
 }

@@ -21,3 +21,7 @@ struct sb_asked_precision {
     int lowest;
 };
 struct sb_asked_precision sb_platform_precision(const struct sb_variant *variant);
+
+// Must variants of one equivalence class draw the same picture? At highp, form=robust and
+// offset=0 they must; elsewhere rounding may take them apart.
+bool sb_platform_class_exact(const struct sb_variant *variant);

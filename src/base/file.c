@@ -85,6 +85,8 @@ bool sb_dir_exists(const char *path)
 
 bool sb_dir_make(const char *path, struct sb_error *err)
 {
+    if (!path[0])
+        return sb_fail(err, SB_BAD_INPUT, "the name of a folder is empty");
     char *copy = sb_strdup(path);
     bool good = true;
     for (char *p = copy + 1; good; p++) {

@@ -18,15 +18,49 @@ int sb_cli_fail(const struct sb_error *err)
     return sb_status_rows[err->status].exit_code;
 }
 
+bool sb_cli_fail_axis(const char *what, const char *word, const char *value,
+                      struct sb_error *err)
+{
+    const struct sb_axes *axes = sb_axes_builtin();
+    char name[SB_NAME_MAX + 1];
+    const char *equals = strchr(word, '=');
+    const size_t length = equals ? (size_t)(equals - word) : strlen(word);
+    if (length > SB_NAME_MAX)
+        return false;
+    memcpy(name, word, length);
+    name[length] = '\0';
+    int axis = sb_axes_find(axes, name);
+    if (axis >= 0)
+        value = equals ? equals + 1 : value ? value : "VALUE";
+    for (int i = 0; axis < 0 && !equals && i < axes->count; i++)
+        if (axes->row[i].values && sb_axis_value_find(&axes->row[i], word) >= 0) {
+            axis = i;
+            value = word;
+        }
+    if (axis < 0)
+        return false;
+    const bool platform = axes->row[axis].kind == SB_PLATFORM;
+    sb_fail(err, SB_USAGE, "unknown %s \"%s\"; an axis is set with --%s%s%s%.*s", what,
+            word, platform ? "" : "set ", axes->row[axis].name, platform ? " " : "=",
+            (int)strcspn(value, ","), value);
+    return true;
+}
+
 const char *sb_cli_suite_path(const char *word, const char *data_dir,
                               struct sb_arena *arena, struct sb_error *err)
 {
-    if (strchr(word, '/') || strchr(word, '.'))
-        return word;
     const char *folder = sb_path_join(arena, data_dir, "bench");
     const char *path = sb_arena_printf(arena, "%s/%s.yaml", folder, word);
     if (sb_file_exists(path))
         return path;
+    if (sb_cli_fail_axis("suite", word, NULL, err))
+        return NULL;
+    if (strchr(word, '/') || strchr(word, '.'))
+        return word;
+    if (sb_file_exists(sb_arena_printf(arena, "%s/presets/%s.yaml", folder, word))) {
+        sb_fail(err, SB_USAGE, "\"%s\" is a preset: --preset %s", word, word);
+        return NULL;
+    }
     int count;
     char **names = sb_dir_list(arena, folder, ".yaml", &count, err);
     if (!names)
@@ -52,6 +86,9 @@ bool sb_cli_load_suite(const struct sb_options *options, const char *path,
         .cross = options->cross.item,
         .cross_count = options->cross.count,
     };
+    if (options->shaders && !sb_dir_exists(options->shaders))
+        return sb_fail(err, SB_BAD_INPUT, "--shaders %s: there is no such folder",
+                       options->shaders);
     bool good = sb_suite_load(&params, suite, err);
     for (int i = 0; good && i < suite->entry_count; i++)
         good = sb_scene_expect(suite->entry[i].scene, err) != NULL;

@@ -15,6 +15,12 @@ int sb_cmd_run(const struct sb_options *options, int argc, char **argv);
 // Prints the error and returns its exit code.
 int sb_cli_fail(const struct sb_error *err);
 
+// What stands in the wrong place but names an axis, one of its values or AXIS=VALUE: fails
+// with the way to say it, `unknown suite "point=4"; an axis is set with --set point=4`, and
+// returns true. `value` may be NULL. False: it is none of these, and *err is as it was.
+bool sb_cli_fail_axis(const char *what, const char *word, const char *value,
+                      struct sb_error *err);
+
 // A word with a slash or a dot is a path; else it names a shipped suite. The path, or NULL.
 const char *sb_cli_suite_path(const char *word, const char *data_dir,
                               struct sb_arena *arena, struct sb_error *err);

@@ -253,8 +253,7 @@ int sb_cmd_list(const struct sb_options *options, int argc, char **argv)
             found = i;
     }
     if (found < 0)
-        sb_fail(&err, SB_USAGE, "cannot list \"%s\"; valid:%s", word,
-                sb_text_get(&valid));
+        sb_fail_unknown(&err, "", "list", word, names, LIST_COUNT);
     struct listing listing = {.rows = json_array()};
     const bool good = found >= 0 && lists[found].fill(&listing, options, &err);
     if (good && options->json) {

@@ -1,7 +1,9 @@
 // shadebench: the command line. One file a subcommand; this one picks it.
+#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "base/file.h"
 #include "base/log.h"
 #include "base/words.h"
 #include "cli/common.h"
@@ -20,6 +22,17 @@ const struct sb_command sb_commands[] = {
 // clang-format on
 const int sb_command_count = sizeof sb_commands / sizeof *sb_commands;
 
+static bool is_suite(const char *word)
+{
+    struct sb_error ignored;
+    struct sb_arena arena = {0};
+    const char *data = sb_data_dir(&arena, NULL, &ignored);
+    const char *path = data ? sb_cli_suite_path(word, data, &arena, &ignored) : NULL;
+    const bool found = path && sb_file_exists(path);
+    sb_arena_free(&arena);
+    return found;
+}
+
 static const struct sb_command *find_command(const char *word, struct sb_error *err)
 {
     const char *names[16];
@@ -28,26 +41,25 @@ static const struct sb_command *find_command(const char *word, struct sb_error *
             return &sb_commands[i];
         names[i] = sb_commands[i].name;
     }
-    sb_fail_unknown(err, "", "command", word, names, sb_command_count);
+    if (is_suite(word))
+        sb_fail(err, SB_USAGE, "\"%s\" is a suite: shadebench run %s", word, word);
+    else
+        sb_fail_unknown(err, "", "command", word, names, sb_command_count);
     return NULL;
 }
 
-int main(int argc, char **argv)
+// A standard descriptor that is closed would be the number of the first file opened, and the
+// table would go into samples.csv. Writing to this one fails.
+static void claim_descriptors(void)
+{
+    for (int fd = 0; fd < 3; fd++)
+        if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", fd ? O_RDONLY : O_WRONLY) != fd)
+            return;
+}
+
+static int run_command(const struct sb_command *command, int argc, char **argv)
 {
     struct sb_error err = {0};
-    const char *word = argc > 1 ? argv[1] : "--help";
-    if (strcmp(word, "--version") == 0) {
-        printf("shadebench %s\n", SB_VERSION);
-        return 0;
-    }
-    if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 ||
-        strcmp(word, "help") == 0) {
-        sb_options_help(NULL);
-        return argc > 1 ? 0 : sb_status_rows[SB_USAGE].exit_code;
-    }
-    const struct sb_command *command = find_command(word, &err);
-    if (!command)
-        return sb_cli_fail(&err);
     struct sb_arena arena = {0};
     struct sb_options options = {0};
     int code;
@@ -60,8 +72,36 @@ int main(int argc, char **argv)
         code = command->run(&options, argc, argv);
     }
     sb_arena_free(&arena);
-    // A pipe that was closed, or a full disk behind stdout, is no success.
-    if (fflush(stdout) != 0 && code == 0)
-        code = sb_status_rows[SB_WRITE_FAILED].exit_code;
     return code;
+}
+
+static int run_word(int argc, char **argv)
+{
+    struct sb_error err = {0};
+    const char *word = argc > 1 ? argv[1] : "--help";
+    const bool help = strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 ||
+                      strcmp(word, "help") == 0;
+    if (strcmp(word, "--version") == 0) {
+        printf("shadebench %s\n", SB_VERSION);
+        return 0;
+    }
+    const struct sb_command *command = NULL;
+    if ((!help || argc > 2) && !(command = find_command(argv[1 + help], &err)))
+        return sb_cli_fail(&err);
+    if (!help)
+        return run_command(command, argc, argv);
+    sb_options_help(command);
+    return argc > 1 ? 0 : sb_status_rows[SB_USAGE].exit_code;
+}
+
+int main(int argc, char **argv)
+{
+    claim_descriptors();
+    const int code = run_word(argc, argv);
+    // A closed stdout, or a full disk behind it, is no success.
+    const bool printed = fflush(stdout) == 0 && !ferror(stdout);
+    if (!printed)
+        sb_warn("stdout cannot be written; what was to be shown is lost");
+    return printed ? code
+                   : sb_exit_code_worse(code, sb_status_rows[SB_WRITE_FAILED].exit_code);
 }

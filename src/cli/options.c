@@ -4,7 +4,7 @@
 
 #include "base/log.h"
 #include "base/words.h"
-#include "cli/options.h"
+#include "cli/common.h"
 
 enum { PROBE = 1, LIST = 2, SHOW = 4, RUN = 8, ALL = 15 };
 
@@ -67,9 +67,15 @@ static int option_names(const struct sb_command *command, const char **names, in
     return count;
 }
 
+// `name` and `value` are those of the option; `value` may be NULL.
 static bool unknown_option(const struct sb_command *command, const char *word,
-                           struct sb_arena *arena, struct sb_error *err)
+                           const char *name, const char *value, struct sb_arena *arena,
+                           struct sb_error *err)
 {
+    if ((command->bit & (RUN | SHOW)) && sb_cli_fail_axis("option", name, value, err)) {
+        sb_fail(err, SB_USAGE, "%s: %s", command->name, err->text);
+        return false;
+    }
     const char *names[64];
     const int count = option_names(command, names, 64, arena);
     return sb_fail_unknown(err, command->name, "option", word, names, count);
@@ -81,7 +87,9 @@ static bool add_assignment(struct sb_assignments *list, const char *option,
 {
     const char *equals = strchr(text, '=');
     if (!equals || equals == text)
-        return sb_fail(err, SB_USAGE, "--%s %s: AXIS=VALUE is wanted", option, text);
+        return sb_fail(err, SB_USAGE,
+                       "--%s %s: AXIS=VALUE in one word is wanted, such as --%s point=4",
+                       option, text, option);
     if (list->count == SB_ASSIGNMENTS_MAX)
         return sb_fail(err, SB_USAGE, "--%s: more than %d of them", option,
                        SB_ASSIGNMENTS_MAX);
@@ -147,7 +155,7 @@ static bool parse_option(const struct sb_command *command, int argc, char **argv
         *value++ = '\0';
     const char *next = value ? value : *i + 1 < argc ? argv[*i + 1] : NULL;
     if (!is_long && name[1])
-        return unknown_option(command, word, arena, err);
+        return unknown_option(command, word, name, NULL, arena, err);
 
     const struct option *option = find_option(command, name, is_long ? 0 : name[0]);
     if (option && option->type == FLAG) {
@@ -170,7 +178,8 @@ static bool parse_option(const struct sb_command *command, int argc, char **argv
         good = derived_option(command, name, next, options, arena, &known);
     }
     if (!known)
-        return unknown_option(command, word, arena, err);
+        return unknown_option(command, word, name, next && *next != '-' ? next : NULL,
+                              arena, err);
     if (!good)
         return sb_fail(err, SB_USAGE, "%s wants a value", word);
     *i += !value;

@@ -88,7 +88,8 @@ int sb_cmd_probe(const struct sb_options *options, int argc, char **argv)
                                          .set_count = options->set.count};
     int code = 0;
     if (options->word_count) {
-        sb_fail(&err, SB_USAGE, "probe takes no words: \"%s\"", options->word[0]);
+        if (!sb_cli_fail_axis("word", options->word[0], NULL, &err))
+            sb_fail(&err, SB_USAGE, "probe takes no words: \"%s\"", options->word[0]);
         return sb_cli_fail(&err);
     }
     if (!sb_suite_load(&plan, &suite, &err) ||

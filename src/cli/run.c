@@ -13,13 +13,50 @@
 #include "measure/run.h"
 #include "results/store.h"
 
-// What a run was started with: the words behind `run`.
-static json_t *arguments_json(int argc, char **argv)
+enum { ARGUMENTS_MAX = 256 };
+
+// What a run was started with: the words behind `run`. NULL where run.json cannot hold them.
+static json_t *arguments_json(int argc, char **argv, struct sb_error *err)
 {
     json_t *list = json_array();
     for (int i = 2; i < argc; i++)
-        json_array_append_new(list, json_string(argv[i]));
+        if (argc > ARGUMENTS_MAX ||
+            json_array_append_new(list, json_string(argv[i])) != 0) {
+            sb_fail(err, SB_USAGE,
+                    "argument %d: at most %d, in UTF-8, can be kept for --resume", i,
+                    ARGUMENTS_MAX);
+            json_decref(list);
+            return NULL;
+        }
     return list;
+}
+
+// What a folder holds was measured with one plan on one driver; another is another run.
+static bool check_resume(const struct sb_options *now, struct sb_error *err)
+{
+    const struct sb_assignments *const lists[] = {&now->set, &now->sweep, &now->cross};
+    const struct {
+        const char *name, *value;
+    } texts[] = {
+        {"--scene", now->scene},     {"--preset", now->preset},
+        {"--output", now->output},   {"--timer", now->timer},
+        {"--device", now->device},   {"--shaders", now->shaders},
+        {"the suite", now->word[0]},
+    };
+    const char *what = now->images ? "--images" : NULL, *value = "";
+    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
+        if (lists[i]->count)
+            what = lists[i]->item[0].origin;
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+        if (texts[i].value) {
+            what = texts[i].name;
+            value = texts[i].value;
+        }
+    return !what ||
+           sb_fail(err, SB_USAGE,
+                   "--resume goes on with the plan and the driver of the folder: "
+                   "leave out %s%s%s, or start anew",
+                   what, *value ? " " : "", value);
 }
 
 // --resume: the options of the first start, read from run.json, with those of now over them.
@@ -31,21 +68,29 @@ static bool load_earlier_options(const struct sb_options *now, struct sb_options
     for (int i = 0; i < sb_command_count; i++)
         if (sb_commands[i].run == sb_cmd_run)
             command = &sb_commands[i];
+    if (!check_resume(now, err))
+        return false;
     json_t *run = sb_store_read_run(now->resume, err);
     if (!run)
         return false;
     *arguments = json_incref(json_object_get(run, "arguments"));
-    char *words[256];
+    char *words[2 * ARGUMENTS_MAX];
     int count = 0;
     size_t i;
     const json_t *word;
-    json_array_foreach(*arguments, i, word) if (count < 256 && json_is_string(word))
+    json_array_foreach(*arguments, i,
+                       word) if (count < 2 * ARGUMENTS_MAX && json_is_string(word))
         words[count++] = sb_arena_strdup(arena, json_string_value(word));
     json_decref(run);
     if (!sb_options_parse(command, count, words, options, arena, err))
         return false;
     options->resume = options->output = now->resume;
+    // How to tell it is asked anew each time.
     options->json = now->json;
+    options->quiet = now->quiet;
+    sb_log_set_level(now->quiet     ? SB_LOG_QUIET
+                     : now->verbose ? SB_LOG_VERBOSE
+                                    : SB_LOG_NORMAL);
     for (int s = 0; s < now->setting.count && options->setting.count < SB_ASSIGNMENTS_MAX;
          s++) {
         const struct sb_assignment *setting = &now->setting.item[s];
@@ -87,6 +132,11 @@ static int next_process(const char *dir, const struct sb_options *options,
         words[count++] = (char *)options->data;
     }
     fflush(NULL);
+    sb_interrupt_hold();
+    if (sb_interrupted()) {
+        sb_arena_free(&arena);
+        return sb_status_rows[SB_INTERRUPTED].exit_code;
+    }
     if (program) {
         execv(program, words);
         sb_fail(err, SB_INTERNAL, "%s: %s", program, strerror(errno));
@@ -95,14 +145,18 @@ static int next_process(const char *dir, const struct sb_options *options,
     return sb_cli_fail(err);
 }
 
-static void print_head(const struct sb_suite *suite, const struct sb_row *row)
+static void print_head(const struct sb_suite *suite, const struct sb_row *row,
+                       bool same_kind)
 {
     if (suite->about && suite->about[0])
         printf("%s: %s\n", suite->name, suite->about);
     printf("driver: %s, %s\n", row->renderer, row->version);
     printf("timer: %s, within %.1f %% of the wall clock of long drained batches\n",
            row->timer_source, 100 * row->timer_error);
-    if (row->ci_kind)
+    if (!same_kind)
+        printf("±: 95 %% intervals, within a run or between processes (ci_kind of each "
+               "row)\n\n");
+    else if (row->ci_kind)
         printf("±: %s%s\n\n", row->ci_kind,
                row->processes > 1
                    ? ""
@@ -110,7 +164,8 @@ static void print_head(const struct sb_suite *suite, const struct sb_row *row)
 }
 
 static void print_results(const struct sb_options *options, const struct sb_suite *suite,
-                          const struct sb_run_result *result, const char *dir)
+                          const struct sb_run_result *result, const char *dir,
+                          bool written)
 {
     if (options->json) {
         json_t *object = json_object();
@@ -122,11 +177,18 @@ static void print_results(const struct sb_options *options, const struct sb_suit
         return;
     }
     const struct sb_row *shown = result->row;
-    for (int i = 1; i < result->row_count && !shown->ci_kind; i++)
-        shown = &result->row[i];
-    print_head(suite, shown);
+    bool same_kind = true;
+    for (int i = 1; i < result->row_count; i++) {
+        const struct sb_row *row = &result->row[i];
+        if (!shown->ci_kind)
+            shown = row;
+        else if (row->ci_kind)
+            same_kind &= strcmp(row->ci_kind, shown->ci_kind) == 0;
+    }
+    print_head(suite, shown, same_kind);
     sb_report_table(suite, result->row, result->row_count);
-    printf("\nresults: %s/summary.csv\n", dir);
+    if (written)
+        printf("\nresults: %s/summary.csv\n", dir);
     if (result->interrupted)
         printf("interrupted; go on with: shadebench run --resume %s\n", dir);
 }
@@ -144,8 +206,9 @@ static int run_suite(const struct sb_options *options, json_t *arguments,
     if (!data)
         return sb_cli_fail(&err);
     if (options->word_count > 1) {
-        sb_fail(&err, SB_USAGE, "run takes one suite; \"%s\" is one too many",
-                options->word[1]);
+        if (!sb_cli_fail_axis("word", options->word[1], NULL, &err))
+            sb_fail(&err, SB_USAGE, "run takes one suite; \"%s\" is one too many",
+                    options->word[1]);
         return sb_cli_fail(&err);
     }
     if (options->resume &&
@@ -176,7 +239,7 @@ static int run_suite(const struct sb_options *options, json_t *arguments,
     const bool more = good && !result.interrupted &&
                       result.processes_done < (int)suite.measure.processes;
     if (result.row && !more)
-        print_results(options, &suite, &result, dir);
+        print_results(options, &suite, &result, dir, good);
     code =
         good ? result.exit_code : sb_exit_code_worse(result.exit_code, sb_cli_fail(&err));
     sb_run_result_free(&result);
@@ -200,7 +263,11 @@ int sb_cmd_run(const struct sb_options *given, int argc, char **argv)
             goto done;
         }
     } else {
-        arguments = arguments_json(argc, argv);
+        arguments = arguments_json(argc, argv, &err);
+        if (!arguments) {
+            code = sb_cli_fail(&err);
+            goto done;
+        }
     }
     code = run_suite(options, arguments, &arena);
 

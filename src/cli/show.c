@@ -123,7 +123,8 @@ int sb_cmd_show(const struct sb_options *given, int argc, char **argv)
     const char *data = sb_data_dir(&arena, given->data, &err);
     bool good = data != NULL;
     if (given->word_count > 1)
-        good = sb_fail(&err, SB_USAGE,
+        good = !sb_cli_fail_axis("word", given->word[1], NULL, &err) &&
+               sb_fail(&err, SB_USAGE,
                        "show takes one variant or suite; \"%s\" is one too many",
                        given->word[1]);
     if (good && is_variant)

@@ -40,13 +40,18 @@ struct bench {
     const struct sb_caps *caps;
     struct sb_audit *audit;
     struct sb_query query[SB_TIMER_MAX];
-    int64_t frame_ns; // how long a frame is to take
-    int64_t wait_ns;  // what waiting for a batch costs by itself
+    int64_t frame_ns;        // how long a frame is to take
+    int64_t wait_ns;         // what waiting for a batch costs by itself
+    bool lost[SB_TIMER_MAX]; // sources whose query never arrived: not waited for again
 };
 
 static void time_batch(struct bench *bench, const struct sb_gl_load *load,
                        struct sb_timer_reading *reading)
 {
+    if (bench->lost[reading->source]) {
+        reading->query_ns = -1; // the judge refuses the source for it
+        return;
+    }
     const struct sb_timer_fns *timer = sb_timers[reading->source];
     struct sb_query *query = &bench->query[reading->source];
     // The worst case for a tiler: a pass on the first frame's target is under way. With
@@ -68,6 +73,7 @@ static void time_batch(struct bench *bench, const struct sb_gl_load *load,
         reading->query_ns = -1;
     else if (reading->query_ns == SB_NO_TIME)
         reading->query_ns = reading->wall_ns;
+    bench->lost[reading->source] = read == SB_READ_LATER;
 }
 
 static int64_t time_drained(const struct sb_gl_load *load, int frames)

@@ -101,6 +101,8 @@ bool sb_local_round(void *self, const struct sb_shot *shots, int count,
         const struct sb_local_job *job = sb_local_job_find(local, shots[i].job, err);
         const struct sb_ring *ring = ring_of(local, &shots[i], err);
         sb_local_batch(local, job, ring, shots[i].frames, &samples[i], NULL);
+        if (!sb_local_gl_ok("measuring", shots[i].job, err))
+            return false;
     }
-    return count == 0 || sb_local_gl_ok("measuring", shots[0].job, err);
+    return true;
 }

@@ -3,17 +3,24 @@
 #include "base/clock.h"
 #include "measure/calibrate.h"
 #include "measure/interrupt.h"
+#include "stats/order.h"
 
 enum { MAX_BATCH = 4096 };
 
-// One shot's time for the whole batch, in ns, by the timer in use.
+// One shot's time for the whole batch, in ns, by the timer in use. A flagged sample (absurd,
+// disjoint, lost) is no time: it is taken again, a few times.
 static bool shoot(const struct sb_driver *driver, const struct sb_shot *shot, double *ns,
                   struct sb_error *err)
 {
-    struct sb_sample sample;
-    if (!driver->fns->round(driver->runner, shot, 1, &sample, err))
-        return false;
-    *ns = (double)(sample.gpu_ns == SB_NO_TIME ? sample.wall_ns : sample.gpu_ns);
+    struct sb_sample sample = {0};
+    for (int attempt = 0; attempt < 5; attempt++) {
+        if (!driver->fns->round(driver->runner, shot, 1, &sample, err))
+            return false;
+        if (sample.flags == 0)
+            break;
+    }
+    *ns = (double)(sample.gpu_ns == SB_NO_TIME || sample.flags ? sample.wall_ns
+                                                               : sample.gpu_ns);
     return true;
 }
 
@@ -64,50 +71,63 @@ bool sb_calibrate_batch(struct sb_task *task, const struct sb_driver *driver,
     return true;
 }
 
-bool sb_warm_up(struct sb_task *tasks, int count, const struct sb_driver *driver,
-                const struct sb_measure_settings *settings, struct sb_error *err)
+// One unrecorded round; its total. A task whose shot fails is out.
+static double warm_round(struct sb_task *tasks, int count, const struct sb_driver *driver)
+{
+    double total = 0, ns;
+    for (int i = 0; i < count; i++) {
+        struct sb_error err = {0};
+        const struct sb_shot shot = {tasks[i].assembly.job.id, tasks[i].batch, 1};
+        if (!sb_task_sound(&tasks[i]))
+            continue;
+        if (shoot(driver, &shot, &ns, &err))
+            total += ns;
+        else
+            sb_task_fail(&tasks[i], &err);
+    }
+    return total;
+}
+
+void sb_warm_up(struct sb_task *tasks, int count, const struct sb_driver *driver,
+                const struct sb_measure_settings *settings)
 {
     const int64_t limit = (int64_t)(1e9 * fmin(settings->budget / 20, 1));
     const int64_t begin = sb_clock_ns();
-    double total[5] = {0};
+    double total[5];
     for (int round = 0; !sb_interrupted(); round++) {
-        total[round % 5] = 0;
-        for (int i = 0; i < count; i++) {
-            double ns;
-            const struct sb_shot shot = {tasks[i].assembly.job.id, tasks[i].batch, 1};
-            if (!sb_task_sound(&tasks[i]))
-                continue;
-            if (!shoot(driver, &shot, &ns, err))
-                return false;
-            total[round % 5] += ns;
-        }
+        total[round % 5] = warm_round(tasks, count, driver);
         double least = INFINITY, most = 0;
-        for (int i = 0; i < 5; i++) {
+        for (int i = 0; i < 5 && i <= round; i++) {
             least = fmin(least, total[i]);
             most = fmax(most, total[i]);
         }
         if (round >= 4 && most <= 1.05 * least)
-            return true;
+            return;
         if (sb_clock_ns() - begin >= limit)
             break;
     }
     for (int i = 0; i < count; i++)
         if (sb_task_sound(&tasks[i]))
             sb_task_note(&tasks[i], "no_steady_state before the first round");
-    return true;
 }
 
 bool sb_check_fragment_bound(struct sb_task *task, const struct sb_driver *driver,
                              struct sb_error *err)
 {
-    double whole, quarter;
+    enum { PAIRS = 7 };
+    double ratio[PAIRS];
     const uint32_t id = task->assembly.job.id;
-    // Batches of equal length, so that constant costs of a batch weigh on both alike.
+    // Batches of about equal length, so that constant costs of a batch weigh on both alike;
+    // in pairs, so that a machine that slows down hits both.
     const struct sb_shot large = {id, task->batch, 1}, small = {id, task->batch * 4, 2};
-    if (!shoot_least(driver, &large, &whole, err) ||
-        !shoot_least(driver, &small, &quarter, err))
-        return false;
-    task->growth = whole / (quarter / 4);
+    for (int i = 0; i < PAIRS; i++) {
+        double whole, quarter;
+        if (!shoot(driver, &large, &whole, err) || !shoot(driver, &small, &quarter, err))
+            return false;
+        ratio[i] = whole / (quarter / 4);
+    }
+    sb_sort_doubles(ratio, PAIRS);
+    task->growth = sb_median(ratio, PAIRS);
     if (task->growth < 3)
         task->status = SB_NOT_FRAGMENT_BOUND;
     return true;

@@ -12,8 +12,8 @@ bool sb_calibrate_batch(struct sb_task *task, const struct sb_driver *driver,
 
 // Unrecorded rounds over all sound tasks until five totals agree within 5 %, for a twentieth of
 // the budget at most (1 s at most); notes `no_steady_state` otherwise.
-bool sb_warm_up(struct sb_task *tasks, int count, const struct sb_driver *driver,
-                const struct sb_measure_settings *settings, struct sb_error *err);
+void sb_warm_up(struct sb_task *tasks, int count, const struct sb_driver *driver,
+                const struct sb_measure_settings *settings);
 
 // A quarter of the pixels must take a third of the time or less; else NOT_FRAGMENT_BOUND.
 bool sb_check_fragment_bound(struct sb_task *task, const struct sb_driver *driver,

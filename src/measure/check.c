@@ -1,5 +1,6 @@
 #include <math.h>
 
+#include "assemble/platform.h"
 #include "measure/check.h"
 #include "scene/lights.h"
 
@@ -7,15 +8,20 @@ enum {
     LIGHT_CHECK_SIDE = 48
 }; // pixels; every scene keeps every light visible at this size
 
-static bool covered_and_lit(const struct sb_image *image, struct sb_task *task)
+// Linear light, full scale 1. Implementations may add the same numbers in another order: a
+// sum of 768 lights then differs by some 768 x 2^-24.
+static const double CLASS_BOUND = 1e-4;
+
+// Counts over the pixels that the scene covers; the background says nothing of the shader.
+static bool count_values(const struct sb_image *colour, const struct sb_image *id,
+                         struct sb_task *task)
 {
     bool lit = false;
-    task->nonfinite = sb_image_count_nonfinite(image);
-    task->negative = 0;
-    const long pixels = (long)image->width * image->height;
-    for (long i = 0; i < pixels; i++)
-        for (int c = 0; c < 3; c++) {
-            const float value = image->data[i * image->channels + c];
+    task->nonfinite = task->negative = 0;
+    for (long i = 0; i < (long)colour->width * colour->height; i++)
+        for (int c = 0; c < 3 && id->data[i] != 0; c++) {
+            const float value = colour->data[i * colour->channels + c];
+            task->nonfinite += !isfinite(value);
             task->negative += value < 0;
             lit |= value > 0;
         }
@@ -25,26 +31,28 @@ static bool covered_and_lit(const struct sb_image *image, struct sb_task *task)
 void sb_check_picture(struct sb_task *task, const struct sb_driver *driver)
 {
     struct sb_error err = {0};
-    struct sb_image image = {0};
-    const struct sb_image_request request = {
-        .job = task->assembly.job.id,
-        .kind = SB_IMAGE_COLOUR,
-    };
-    if (!driver->fns->image(driver->runner, &request, &image, &err)) {
-        sb_task_fail(task, &err);
-        return;
-    }
-    const bool lit = covered_and_lit(&image, task);
+    struct sb_image colour = {0}, id = {0};
+    struct sb_image_request request = {.job = task->assembly.job.id,
+                                       .kind = SB_IMAGE_COLOUR};
+    if (!driver->fns->image(driver->runner, &request, &colour, &err))
+        goto done;
+    request.kind = SB_IMAGE_ID;
+    if (!driver->fns->image(driver->runner, &request, &id, &err))
+        goto done;
+    const bool lit = count_values(&colour, &id, task);
     if (task->nonfinite)
         sb_fail(&err, SB_NON_FINITE, "%lld values of the picture are NaN or infinite",
                 (long long)task->nonfinite);
     else if (task->prepared.fragments == 0)
         sb_fail(&err, SB_BLANK, "the scene covers no pixel");
     else if (!lit)
-        sb_fail(&err, SB_BLANK, "every pixel is black");
+        sb_fail(&err, SB_BLANK, "every covered pixel is black");
+
+done:
     if (err.status != SB_OK)
         sb_task_fail(task, &err);
-    sb_image_free(&image);
+    sb_image_free(&colour);
+    sb_image_free(&id);
 }
 
 // The picture with some lights off.
@@ -119,6 +127,30 @@ void sb_check_lights(struct sb_task *task, const struct sb_driver *driver, bool 
     else if (!good)
         sb_task_fail(task, &err);
     sb_image_free(&all);
+}
+
+void sb_check_class(struct sb_task *task, struct sb_task *other,
+                    const struct sb_driver *driver)
+{
+    struct sb_error err = {0};
+    struct sb_image mine = {0}, theirs = {0};
+    struct sb_image_difference difference;
+    const bool drawn = small_picture(task, driver, 0, 0, &mine, &err) &&
+                       small_picture(other, driver, 0, 0, &theirs, &err);
+    if (drawn) {
+        sb_image_compare(&mine, &theirs, &difference);
+        task->class_spread = fmax(task->class_spread, difference.max);
+        if (difference.max > CLASS_BOUND &&
+            sb_platform_class_exact(&task->entry->variant))
+            sb_fail(&err, SB_CLASS_BROKEN,
+                    "differs from %s by %g at (%d, %d) of %d x %d, and should not",
+                    other->entry->id, difference.max, difference.x, difference.y,
+                    LIGHT_CHECK_SIDE, LIGHT_CHECK_SIDE);
+    }
+    if (err.status != SB_OK)
+        sb_task_fail(task, &err);
+    sb_image_free(&mine);
+    sb_image_free(&theirs);
 }
 
 void sb_check_same_code(struct sb_task *tasks, int count)

@@ -5,17 +5,29 @@
 #include "base/words.h"
 #include "measure/driver.h"
 
+// The source that is wanted: by name, or the first credible one; -1: there is none.
+static int pick(const struct sb_audit *audit, const char *wanted)
+{
+    if (!wanted || strcmp(wanted, "auto") == 0)
+        return audit->chosen;
+    for (int i = 0; i < audit->source_count; i++)
+        if (strcmp(audit->source[i].name, wanted) == 0)
+            return audit->source[i].credible ? i : -1;
+    return -1;
+}
+
 // The audit is a measurement too: another process may have had the cores for a while, so
 // a verdict of "none" is read again, twice, before it is believed.
-static bool audit(struct sb_driver *driver, struct sb_error *err)
+static bool audit(struct sb_driver *driver, const char *wanted, struct sb_error *err)
 {
     for (int attempt = 0; attempt < 3; attempt++) {
         if (!driver->fns->audit(driver->runner, &driver->audit, err))
             return false;
         sb_audit_judge(&driver->audit, SB_TIMER_TOLERANCE);
-        if (driver->audit.chosen >= 0)
+        driver->timer = pick(&driver->audit, wanted);
+        if (driver->timer >= 0)
             break;
-        sb_debug("no timer source was credible; the audit is read again");
+        sb_debug("no timer source that is wanted was credible; the audit is read again");
     }
     return true;
 }
@@ -31,25 +43,21 @@ static bool no_timer(const struct sb_audit *audit, struct sb_error *err)
     return false;
 }
 
-static bool choose_timer(struct sb_driver *driver, const char *wanted,
-                         struct sb_error *err)
+// Says why driver->timer is -1.
+static bool explain_timer(const struct sb_driver *driver, const char *wanted,
+                          struct sb_error *err)
 {
     const struct sb_audit *audit = &driver->audit;
-    driver->timer = audit->chosen;
-    if (!wanted || strcmp(wanted, "auto") == 0)
-        return driver->timer >= 0 || no_timer(audit, err);
     const char *names[SB_TIMER_MAX];
+    if (!wanted || strcmp(wanted, "auto") == 0)
+        return no_timer(audit, err);
     for (int i = 0; i < audit->source_count; i++) {
         const struct sb_timer_source *source = &audit->source[i];
         names[i] = source->name;
-        if (strcmp(source->name, wanted) != 0)
-            continue;
-        driver->timer = i;
-        if (source->credible)
-            return true;
-        return sb_fail(err, SB_NO_TIMER, "timer \"%s\" did not pass its audit: %s",
-                       wanted,
-                       source->usable ? source->reason : "the driver does not have it");
+        if (strcmp(source->name, wanted) == 0)
+            return sb_fail(
+                err, SB_NO_TIMER, "timer \"%s\" did not pass its audit: %s", wanted,
+                source->usable ? source->reason : "the driver does not have it");
     }
     return sb_fail_unknown(err, "", "timer", wanted, names, audit->source_count);
 }
@@ -61,15 +69,13 @@ bool sb_driver_examine(const struct sb_driver_params *params, struct sb_driver *
     driver->runner = params->runner->open(&params->context, &driver->caps, err);
     if (!driver->runner)
         return false;
-    if (!audit(driver, err) || !driver->fns->probe(driver->runner, &driver->probe, err)) {
+    if (!audit(driver, params->timer, err) ||
+        !driver->fns->probe(driver->runner, &driver->probe, err)) {
         sb_driver_close(driver);
         return false;
     }
     for (int i = 0; i < driver->probe.count; i++)
         sb_precision_judge(&driver->probe.reading[i], &driver->verdict[i]);
-    struct sb_error ignored;
-    if (!choose_timer(driver, params->timer, &ignored))
-        driver->timer = -1;
     return true;
 }
 
@@ -78,8 +84,9 @@ bool sb_driver_open(const struct sb_driver_params *params, struct sb_driver *dri
 {
     if (!sb_driver_examine(params, driver, err))
         return false;
-    if (choose_timer(driver, params->timer, err) &&
-        driver->fns->use_timer(driver->runner, driver->timer, err))
+    if (driver->timer < 0)
+        explain_timer(driver, params->timer, err);
+    else if (driver->fns->use_timer(driver->runner, driver->timer, err))
         return true;
     sb_driver_close(driver);
     return false;

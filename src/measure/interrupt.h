@@ -4,5 +4,11 @@
 
 #include <stdbool.h>
 
+// Signals that the process was started to ignore (nohup, a shell's background job) stay
+// ignored. Also ends a hold that the process was started under.
 void sb_interrupt_install(void);
+
+// Holds the signals back, so that none is lost between asking sb_interrupted and execv: the
+// next program image takes them up.
+void sb_interrupt_hold(void);
 bool sb_interrupted(void);

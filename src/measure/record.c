@@ -79,6 +79,9 @@ static json_t *entries_json(const struct sb_record_params *params)
         json_object_set_new(
             object, "source_hash",
             json_sprintf("%016llx", (unsigned long long)task->assembly.source_hash));
+        json_object_set_new(
+            object, "input_hash",
+            json_sprintf("%016llx", (unsigned long long)task->prepared.input_hash));
         json_array_append_new(list, object);
     }
     return list;
@@ -98,6 +101,7 @@ static json_t *processes_json(const struct sb_record_params *params,
     json_object_set_new(object, "written", json_string(now));
     json_object_set_new(object, "complete", json_boolean(params->complete));
     json_object_set_new(object, "machine", sb_machine_json());
+    json_object_set_new(object, "environment", sb_environment_json());
     json_object_set_new(object, "timers", sb_audit_json(params->driver));
     json_array_append_new(list, object);
     return list;
@@ -114,7 +118,6 @@ json_t *sb_record_make(const struct sb_record_params *params, const json_t *earl
     json_object_set_new(run, "measure", settings_json(&suite->measure));
     json_object_set_new(run, "caps", sb_caps_json(&params->driver->caps));
     json_object_set_new(run, "precision", sb_precision_json(params->driver));
-    json_object_set_new(run, "environment", sb_environment_json());
     json_object_set_new(run, "processes", processes_json(params, earlier));
     json_object_set_new(run, "entries", entries_json(params));
     return run;

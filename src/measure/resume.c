@@ -1,3 +1,5 @@
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/file.h"
@@ -29,6 +31,18 @@ static bool check_plan(const struct sb_earlier *earlier, const struct sb_suite *
     return true;
 }
 
+// Rows are appended in the order of the columns, so the header must be the one of today.
+static bool check_header(const struct sb_csv *csv, const char *path, struct sb_error *err)
+{
+    bool same = csv->column_count == sb_sample_column_count;
+    for (int i = 0; same && i < csv->column_count; i++)
+        same = strcmp(csv->cell[0][i], sb_sample_columns[i].name) == 0;
+    return same || sb_fail(err, SB_BAD_INPUT,
+                           "%s:1: not the columns of samples.csv (shadebench list "
+                           "columns); start anew with another -o",
+                           path);
+}
+
 static void count_processes(struct sb_earlier *earlier)
 {
     size_t i;
@@ -38,6 +52,16 @@ static void count_processes(struct sb_earlier *earlier)
         earlier->last_incomplete = !json_is_true(json_object_get(process, "complete"));
         earlier->complete += !earlier->last_incomplete;
         earlier->process = (int)i + 1;
+        if (!earlier->last_incomplete)
+            earlier->first_open = earlier->process;
+        size_t t;
+        const json_t *timer;
+        json_array_foreach(json_object_get(process, "timers"), t, timer)
+        {
+            const double error = json_number_value(json_object_get(timer, "error"));
+            if (json_is_true(json_object_get(timer, "chosen")))
+                earlier->timer_error = fmax(earlier->timer_error, error);
+        }
     }
 }
 
@@ -45,10 +69,11 @@ bool sb_earlier_load(const char *dir, const struct sb_suite *suite,
                      struct sb_earlier *earlier, struct sb_error *err)
 {
     struct sb_arena arena = {0};
+    const char *path = sb_path_join(&arena, dir, "samples.csv");
     earlier->run = sb_store_read_run(dir, err);
-    bool good =
-        earlier->run && check_plan(earlier, suite, dir, err) &&
-        sb_csv_read(sb_path_join(&arena, dir, "samples.csv"), &earlier->samples, err);
+    bool good = earlier->run && check_plan(earlier, suite, dir, err) &&
+                sb_csv_read(path, &earlier->samples, err) &&
+                check_header(&earlier->samples, path, err);
     if (good) {
         count_processes(earlier);
         const int timer = sb_csv_column(&earlier->samples, "timer_source");
@@ -75,6 +100,35 @@ bool sb_earlier_check_driver(const struct sb_earlier *earlier, const struct sb_c
         renderer ? renderer : "", version ? version : "", caps->renderer, caps->version);
 }
 
+// A hash in run.json against one of now. A variant that was not prepared has none.
+static bool same_hash(const json_t *entry, const char *key, uint64_t now)
+{
+    char text[32];
+    const char *was = json_string_value(json_object_get(entry, key));
+    snprintf(text, sizeof text, "%016llx", (unsigned long long)now);
+    return !was || strspn(was, "0") == strlen(was) || now == 0 || strcmp(was, text) == 0;
+}
+
+bool sb_earlier_check_sources(const struct sb_earlier *earlier,
+                              const struct sb_task *tasks, int count,
+                              struct sb_error *err)
+{
+    for (int i = 0; i < count; i++) {
+        const json_t *entry =
+            json_array_get(json_object_get(earlier->run, "entries"), (size_t)i);
+        const bool source =
+            same_hash(entry, "source_hash", tasks[i].assembly.source_hash);
+        if (!source || !same_hash(entry, "input_hash", tasks[i].prepared.input_hash))
+            return sb_fail(err, SB_BAD_INPUT,
+                           "%s: %s than when the folder was measured; start anew with "
+                           "another -o",
+                           tasks[i].entry->id,
+                           source ? "the scene has other values"
+                                  : "the shaders are others");
+    }
+    return true;
+}
+
 static struct sb_task *find_task(struct sb_task *tasks, int count,
                                  const struct sb_sample_row *row)
 {
@@ -93,21 +147,80 @@ bool sb_earlier_hand_out(const struct sb_earlier *earlier, struct sb_task *tasks
         sb_sample_row_init(&row);
         if (!sb_csv_get(&earlier->samples, line, sb_sample_columns,
                         sb_sample_column_count, &row, err))
-            return false;
+            return sb_fail(err, SB_BAD_INPUT, "samples.csv: %s", err->text);
         struct sb_task *task = find_task(tasks, count, &row);
-        if (!task || row.batch < 1)
+        if (!task)
             return sb_fail(
                 err, SB_BAD_INPUT, "samples.csv:%d: %s on %s is no variant of the suite",
                 line + 1, row.variant ? row.variant : "", row.scene ? row.scene : "");
+        if (row.process < 0 || row.process >= earlier->process || row.round < 0 ||
+            row.batch < 1 || row.wall_ns < 0 || row.flags < 0)
+            return sb_fail(err, SB_BAD_INPUT,
+                           "samples.csv:%d: damaged: a process below %d, and process, "
+                           "round, batch, wall_ns and flags that are not negative are "
+                           "wanted",
+                           line + 1, earlier->process);
         task->batch = (int)row.batch;
         sb_task_add_sample(task, &row);
     }
     return true;
 }
 
+// The axes of one line of summary.csv; an empty cell is a moot axis.
+static bool recall_axes(const struct sb_csv *csv, int line, const struct sb_axes *axes,
+                        struct sb_variant *variant, struct sb_error *err)
+{
+    for (int a = 0; a < axes->count; a++) {
+        const struct sb_axis *axis = &axes->row[a];
+        const int column = sb_csv_column(csv, axis->name);
+        const char *text = column >= 0 ? csv->cell[line][column] : "";
+        double value = 0;
+        if (!*text)
+            continue;
+        if (axis->values && (value = sb_axis_value_expect(axis, text, err)) < 0)
+            return false;
+        if (!axis->values &&
+            !sb_number_read(axis->name, text, axis->min, axis->max, false, &value, err))
+            return false;
+        variant->value[a] = value;
+    }
+    return true;
+}
+
+bool sb_earlier_recall(struct sb_earlier *earlier, const char *dir,
+                       const struct sb_suite *suite, struct sb_row *rows,
+                       struct sb_variant *variants, struct sb_error *err)
+{
+    struct sb_arena arena = {0};
+    struct sb_csv *csv = &earlier->summary;
+    const char *path = sb_path_join(&arena, dir, "summary.csv");
+    bool good = sb_csv_read(path, csv, err);
+    if (good && csv->row_count != suite->entry_count + 1)
+        good = sb_fail(err, SB_BAD_INPUT, "%s: %d rows, but the suite has %d variants",
+                       path, csv->row_count - 1, suite->entry_count);
+    for (int i = 0; good && i < suite->entry_count; i++) {
+        struct sb_row *row = &rows[i];
+        sb_row_init(row);
+        variants[i] = suite->entry[i].variant;
+        row->axes = &variants[i];
+        if (!recall_axes(csv, i + 1, &suite->axes, &variants[i], err) ||
+            !sb_csv_get(csv, i + 1, sb_summary_columns, sb_summary_column_count, row,
+                        err))
+            good = sb_fail(err, SB_BAD_INPUT, "%s:%d: %s", path, i + 2, err->text);
+        else if (!row->variant || strcmp(row->variant, suite->entry[i].id) != 0 ||
+                 !row->scene || !row->renderer || !row->version || !row->timer_source ||
+                 !row->status || sb_status_find(row->status) == SB_STATUS_COUNT)
+            good = sb_fail(err, SB_BAD_INPUT, "%s:%d: damaged: not a row of %s", path,
+                           i + 2, suite->entry[i].id);
+    }
+    sb_arena_free(&arena);
+    return good;
+}
+
 void sb_earlier_free(struct sb_earlier *earlier)
 {
     json_decref(earlier->run);
     sb_csv_free(&earlier->samples);
+    sb_csv_free(&earlier->summary);
     *earlier = (struct sb_earlier){0};
 }

@@ -5,6 +5,7 @@
 #include "measure/interrupt.h"
 #include "measure/rounds.h"
 #include "stats/schedule.h"
+#include "stats/within.h"
 
 struct sb_looks sb_looks_of(const struct sb_measure_settings *settings)
 {
@@ -16,7 +17,8 @@ bool sb_task_precise(const struct sb_task *task, int process,
                      const struct sb_measure_settings *settings)
 {
     const struct sb_looks looks = sb_looks_of(settings);
-    double *ms = sb_alloc(((size_t)task->sample_count + 1) * sizeof *ms);
+    const size_t room = (size_t)task->sample_count + 1;
+    double *ms = sb_alloc(2 * room * sizeof *ms);
     int n = 0, rounds = 0;
     for (int i = 0; i < task->sample_count; i++) {
         const double one = sb_sample_frame_ms(&task->sample[i]);
@@ -26,8 +28,8 @@ bool sb_task_precise(const struct sb_task *task, int process,
         if (!isnan(one))
             ms[n++] = one;
     }
-    sb_sort_doubles(ms, n);
-    const struct sb_interval interval = sb_median_interval(ms, n, sb_look_level(&looks));
+    const struct sb_interval interval =
+        sb_within_run(ms, n, sb_look_level(&looks), NULL, ms + room);
     free(ms);
     return rounds >= looks.first && sb_precise_enough(&interval, settings->half_width);
 }
@@ -130,7 +132,7 @@ static bool loop(struct sb_rounds *rounds, int *active, struct sb_sample_row *ro
             stop_all(rounds, "interrupted");
             return false;
         }
-        if (sb_look_due(&looks, round + 1))
+        if (sb_look_due(&looks, round + 1) && seconds >= settings->span)
             look(rounds);
         if (rounds->after_round)
             rounds->after_round(rounds->user, round + 1, count,

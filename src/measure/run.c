@@ -4,6 +4,7 @@
 
 #include "base/clock.h"
 #include "base/file.h"
+#include "base/hash.h"
 #include "base/log.h"
 #include "measure/calibrate.h"
 #include "measure/check.h"
@@ -23,9 +24,11 @@ struct sb_run_state {
     struct sb_store *store;
     struct sb_earlier earlier;
     char started[32];
-    int64_t summary_ns; // when summary.csv was last written
+    int64_t summary_ns;      // when summary.csv was last written,
+    int64_t summary_cost_ns; // and how long that took
     struct sb_row *row;
-    struct sb_arena row_arena; // texts of the rows of one summary
+    struct sb_variant *recalled; // axes of the rows of a complete folder
+    struct sb_arena row_arena;   // texts of the rows of one summary
 };
 
 static void summarise(struct sb_run_state *run)
@@ -35,6 +38,7 @@ static void summarise(struct sb_run_state *run)
         .task_count = run->task_count,
         .driver = &run->driver,
         .suite = run->params->suite,
+        .timer_error = run->earlier.timer_error,
     };
     sb_arena_free(&run->row_arena);
     sb_summarise(&params, run->row, &run->row_arena);
@@ -84,70 +88,115 @@ static void prepare_all(struct sb_run_state *run)
     sb_check_same_code(run->task, run->task_count);
 }
 
-// Does a task of the same scene have as many lights of each type, and stand for `task`?
-static bool is_covered(const struct sb_run_state *run, int index)
+static bool same_scene(const struct sb_task *a, const struct sb_task *b)
 {
-    const struct sb_task *task = &run->task[index];
+    return strcmp(a->entry->scene, b->entry->scene) == 0;
+}
+
+// Is the task's program one of fewer lights, and otherwise the same, as that of `other`?
+static bool has_fewer_lights(const struct sb_run_state *run, const struct sb_task *task,
+                             const struct sb_task *other)
+{
+    struct sb_variant raised = task->entry->variant;
+    for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++) {
+        const int axis = sb_light_types[type].axis;
+        if (raised.value[axis] > other->entry->variant.value[axis])
+            return false;
+        raised.value[axis] = other->entry->variant.value[axis];
+    }
+    return sb_variant_equal(&run->params->suite->axes, &raised, &other->entry->variant);
+}
+
+static bool is_covered(const struct sb_run_state *run, const struct sb_task *task)
+{
     for (int i = 0; i < run->task_count; i++) {
         const struct sb_task *other = &run->task[i];
-        bool covers = i != index && sb_task_sound(other) &&
-                      other->assembly.lit_per_vertex == task->assembly.lit_per_vertex &&
-                      strcmp(other->entry->scene, task->entry->scene) == 0;
-        bool equal = true;
-        for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++) {
-            const int axis = sb_light_types[type].axis;
-            const double mine = task->entry->variant.value[axis];
-            covers &= other->entry->variant.value[axis] >= mine;
-            equal &= other->entry->variant.value[axis] == mine;
-        }
-        if (covers && (!equal || i < index))
+        if (other != task && sb_task_sound(other) && same_scene(task, other) &&
+            has_fewer_lights(run, task, other))
             return true;
     }
     return false;
 }
 
+// The first sound task before this one that must draw the same picture.
+static struct sb_task *class_mate(const struct sb_run_state *run,
+                                  const struct sb_task *task)
+{
+    for (struct sb_task *other = run->task; other < task; other++)
+        if (sb_task_sound(other) && same_scene(task, other) &&
+            sb_variant_same_class(&run->params->suite->axes, &task->entry->variant,
+                                  &other->entry->variant))
+            return other;
+    return NULL;
+}
+
 static void check_all(struct sb_run_state *run)
 {
     for (int i = 0; i < run->task_count && !sb_interrupted(); i++) {
+        struct sb_task *task = &run->task[i], *mate;
         show_stage("checking picture", i, run->task_count);
-        if (sb_task_sound(&run->task[i]))
-            sb_check_picture(&run->task[i], &run->driver);
-        if (sb_task_sound(&run->task[i]))
-            sb_check_lights(&run->task[i], &run->driver, !is_covered(run, i));
+        if (sb_task_sound(task))
+            sb_check_picture(task, &run->driver);
+        if (sb_task_sound(task))
+            sb_check_lights(task, &run->driver, !is_covered(run, task));
+        if (sb_task_sound(task) && (mate = class_mate(run, task)))
+            sb_check_class(task, mate, &run->driver);
     }
 }
 
-static bool write_images(struct sb_run_state *run, struct sb_error *err)
+static bool write_image(struct sb_run_state *run, const struct sb_task *task,
+                        const char *folder, struct sb_arena *arena, struct sb_error *err)
+{
+    // File names end at 255 bytes on most systems; a long id goes on as a hash.
+    enum { ID_MAX = 180 };
+    const char *id = task->entry->id;
+    const uint64_t hash = sb_hash(SB_HASH_START, id, strlen(id));
+    const char *name =
+        strlen(id) <= ID_MAX
+            ? sb_arena_printf(arena, "%s-%s.png", task->entry->scene, id)
+            : sb_arena_printf(arena, "%s-%.*s-%016llx.png", task->entry->scene, ID_MAX,
+                              id, (unsigned long long)hash);
+    struct sb_image image = {0};
+    const struct sb_image_request request = {.job = task->assembly.job.id,
+                                             .kind = SB_IMAGE_COLOUR};
+    const bool good = run->driver.fns->image(run->driver.runner, &request, &image, err) &&
+                      sb_image_write_png(&image, sb_path_join(arena, folder, name), err);
+    sb_image_free(&image);
+    return good;
+}
+
+// Pictures are an extra: one that cannot be had or written is told, and the run goes on.
+static void write_images(struct sb_run_state *run)
 {
     struct sb_arena arena = {0};
+    struct sb_error err = {0};
     const char *folder = sb_path_join(&arena, run->params->dir, "images");
-    bool good = sb_dir_make(folder, err);
-    for (int i = 0; good && i < run->task_count; i++) {
-        const struct sb_task *task = &run->task[i];
-        struct sb_image image = {0};
-        const struct sb_image_request request = {.job = task->assembly.job.id,
-                                                 .kind = SB_IMAGE_COLOUR};
-        if (!task->loaded)
-            continue;
-        char *name =
-            sb_arena_printf(&arena, "%s-%s.png", task->entry->scene, task->entry->id);
-        good = run->driver.fns->image(run->driver.runner, &request, &image, err) &&
-               sb_image_write_png(&image, sb_path_join(&arena, folder, name), err);
-        sb_image_free(&image);
-    }
+    bool good = sb_dir_make(folder, &err);
+    for (int i = 0; good && i < run->task_count; i++)
+        good =
+            !run->task[i].loaded || write_image(run, &run->task[i], folder, &arena, &err);
+    if (!good)
+        sb_warn("%s; the run goes on without further pictures", err.text);
     sb_arena_free(&arena);
-    return good;
+}
+
+// Has one of the interrupted processes before this one measured the task to the end?
+static bool was_precise(const struct sb_run_state *run, const struct sb_task *task)
+{
+    const struct sb_earlier *earlier = &run->earlier;
+    for (int p = earlier->first_open; p < earlier->process; p++)
+        if (sb_task_precise(task, p, &run->params->suite->measure))
+            return true;
+    return false;
 }
 
 // What this process measures: everything; after an interrupted process what it lacked, with
 // the first row as an anchor between the two.
 static void activate(struct sb_run_state *run)
 {
-    const struct sb_measure_settings *settings = &run->params->suite->measure;
     for (int i = 0; i < run->task_count; i++) {
         struct sb_task *task = &run->task[i];
-        const bool done = run->earlier.last_incomplete && i > 0 &&
-                          sb_task_precise(task, run->earlier.process - 1, settings);
+        const bool done = i > 0 && was_precise(run, task);
         task->active = sb_task_sound(task) && !done;
         if (done)
             task->stop = "half_width";
@@ -179,15 +228,12 @@ static void check_fragment_bound(struct sb_run_state *run)
 }
 
 // Cold frames take longer, so batches found before the warm-up may be too short after it.
-static bool make_ready(struct sb_run_state *run, struct sb_error *err)
+static void make_ready(struct sb_run_state *run)
 {
-    const struct sb_measure_settings *settings = &run->params->suite->measure;
     calibrate_all(run);
-    if (!sb_warm_up(run->task, run->task_count, &run->driver, settings, err))
-        return false;
+    sb_warm_up(run->task, run->task_count, &run->driver, &run->params->suite->measure);
     calibrate_all(run);
     check_fragment_bound(run);
-    return true;
 }
 
 // --- the rounds ------------------------------------------------------------------------------
@@ -205,13 +251,15 @@ static void after_round(void *user, int rounds, int active, double seconds_left)
              "[%s] round %d, %d of %d variants done, at most %.0f s left", bar, rounds,
              done, run->task_count, seconds_left > 0 ? seconds_left : 0);
     sb_progress(line);
-    // samples.csv has every round; summary.csv follows a few times a second.
-    if (now - run->summary_ns < 500 * INT64_C(1000000))
+    // samples.csv has every round; summary.csv follows twice a second, or less often where
+    // there are so many samples that it would take more than a share of the time.
+    if (now - run->summary_ns < 500 * INT64_C(1000000) + 30 * run->summary_cost_ns)
         return;
     struct sb_error ignored;
     summarise(run);
     sb_store_summary(run->store, run->row, run->task_count, &ignored);
-    run->summary_ns = now;
+    run->summary_ns = sb_clock_ns();
+    run->summary_cost_ns = run->summary_ns - now;
 }
 
 static bool measure(struct sb_run_state *run, struct sb_error *err)
@@ -227,11 +275,13 @@ static bool measure(struct sb_run_state *run, struct sb_error *err)
         .user = run,
     };
     prepare_all(run);
+    if (run->params->append && !sb_interrupted() &&
+        !sb_earlier_check_sources(&run->earlier, run->task, run->task_count, err))
+        return false;
     check_all(run);
-    if (run->params->images && !write_images(run, err))
-        return false;
-    if (!make_ready(run, err))
-        return false;
+    if (run->params->images)
+        write_images(run);
+    make_ready(run);
     activate(run);
     if (!write_files(run, false, err))
         return false;
@@ -247,11 +297,16 @@ static bool copy_suite(const struct sb_run_params *params, struct sb_error *err)
     if (!params->suite_file || params->append)
         return true;
     struct sb_arena arena = {0};
-    size_t size;
+    size_t size = 0;
+    const char *copy = sb_path_join(&arena, params->dir, SB_SUITE_COPY);
     const char *text = sb_file_read(&arena, params->suite_file, 1 << 20, &size, err);
-    const bool good =
-        text && sb_file_replace(sb_path_join(&arena, params->dir, SB_SUITE_COPY), text,
-                                size, err);
+    bool good = text != NULL;
+    if (good && size == 0) // a pipe: the suite was read from it
+        good = sb_fail(err, SB_BAD_INPUT,
+                       "%s: cannot be read a second time, for its copy beside the "
+                       "results; give a regular file",
+                       params->suite_file);
+    good = good && sb_file_replace(copy, text, size, err);
     sb_arena_free(&arena);
     return good;
 }
@@ -260,12 +315,8 @@ static bool open_all(struct sb_run_state *run, struct sb_error *err)
 {
     const struct sb_run_params *params = run->params;
     struct sb_driver_params driver = params->driver;
-    if (params->append) {
-        if (!sb_earlier_load(params->dir, params->suite, &run->earlier, err))
-            return false;
-        if (run->earlier.timer)
-            driver.timer = run->earlier.timer;
-    }
+    if (run->earlier.timer)
+        driver.timer = run->earlier.timer;
     const struct sb_store_params store = {
         .dir = params->dir,
         .axes = &params->suite->axes,
@@ -288,13 +339,35 @@ static void conclude(struct sb_run_state *run, struct sb_run_result *result)
     result->row = run->row;
     result->row_count = run->task_count;
     result->interrupted = sb_interrupted();
-    result->processes_done = run->earlier.complete + !result->interrupted;
+    result->processes_done =
+        run->earlier.complete + (!result->interrupted && !run->recalled);
     for (int i = 0; i < run->task_count; i++)
         result->exit_code = sb_exit_code_worse(
             result->exit_code,
             sb_status_rows[sb_status_find(run->row[i].status)].exit_code);
     if (result->interrupted)
         result->exit_code = sb_exit_code_worse(result->exit_code, 130);
+}
+
+static bool is_complete(const struct sb_run_state *run)
+{
+    return run->earlier.complete > 0 && !run->earlier.last_incomplete &&
+           run->earlier.complete >= run->params->suite->measure.processes;
+}
+
+// Measuring again what is there would make it another result.
+static bool recall(struct sb_run_state *run, struct sb_run_result *result,
+                   struct sb_error *err)
+{
+    const struct sb_run_params *params = run->params;
+    run->recalled = sb_alloc((size_t)run->task_count * sizeof *run->recalled);
+    if (!sb_earlier_recall(&run->earlier, params->dir, params->suite, run->row,
+                           run->recalled, err))
+        return false;
+    sb_info("%s is complete, nothing is measured; more processes: --processes %d",
+            params->dir, run->earlier.complete + 1);
+    conclude(run, result);
+    return true;
 }
 
 bool sb_run(const struct sb_run_params *params, struct sb_run_result *result,
@@ -310,6 +383,11 @@ bool sb_run(const struct sb_run_params *params, struct sb_run_result *result,
         run->task[i].entry = &params->suite->entry[i];
     sb_timestamp(run->started);
 
+    if (params->append &&
+        !sb_earlier_load(params->dir, params->suite, &run->earlier, err))
+        return false;
+    if (is_complete(run))
+        return recall(run, result, err);
     if (!open_all(run, err))
         return false;
     const bool good = measure(run, err) && write_files(run, !sb_interrupted(), err);
@@ -330,6 +408,7 @@ void sb_run_result_free(struct sb_run_result *result)
     sb_store_close(&run->store);
     sb_earlier_free(&run->earlier);
     sb_arena_free(&run->row_arena);
+    free(run->recalled);
     free(run->task);
     free(run->row);
     free(run);

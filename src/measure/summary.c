@@ -8,105 +8,142 @@
 #include "measure/summary.h"
 #include "stats/between.h"
 #include "stats/paired.h"
+#include "stats/within.h"
 
 static const double share_of_valid_samples = 0.8;
 
-// The valid frame times of one process (-1: of all), in order of measuring.
-static int frame_times(const struct sb_task *task, int64_t process, double *ms)
+// The clocks of a sample, a frame, in ms.
+typedef double clock_fn(const struct sb_sample_row *row);
+
+static double cpu_ms(const struct sb_sample_row *row)
+{
+    return (double)row->cpu_ns / (double)row->batch * 1e-6;
+}
+
+static double wall_ms(const struct sb_sample_row *row)
+{
+    return (double)row->wall_ns / (double)row->batch * 1e-6;
+}
+
+static double submit_ms(const struct sb_sample_row *row)
+{
+    return (double)row->submit_ns / (double)row->batch * 1e-6;
+}
+
+// The values of a clock over the valid samples of one process, in order of measuring.
+static int values_of(const struct sb_task *task, int64_t process, clock_fn *clock,
+                     double *values)
 {
     int n = 0;
     for (int i = 0; i < task->sample_count; i++) {
-        const double one = sb_sample_frame_ms(&task->sample[i]);
-        if (!isnan(one) && (process < 0 || task->sample[i].process == process))
-            ms[n++] = one;
+        const struct sb_sample_row *row = &task->sample[i];
+        if (row->process == process && !isnan(sb_sample_frame_ms(row)))
+            values[n++] = clock(row);
     }
     return n;
 }
 
-static int64_t process_count(const struct sb_task *task)
+// What the estimates of one row share. A process that was interrupted before its first look
+// says nothing about levels, and counts nowhere, unless there is no other.
+struct basis {
+    const struct sb_task *task;
+    double level;     // of intervals: looks share the error
+    int64_t *process; // those that count
+    int process_count;
+    double *a, *b, *scratch; // room for all samples of the task, each
+};
+
+static int64_t process_end(const struct sb_task *task)
 {
     return task->sample_count ? task->sample[task->sample_count - 1].process + 1 : 0;
 }
 
-// A process that was interrupted before its first look says nothing about levels, unless
-// there is no other.
-static bool process_counts(const struct sb_task *task, int64_t process, double *ms,
-                           const struct sb_measure_settings *settings)
+static void basis_make(struct basis *basis, const struct sb_task *task,
+                       const struct sb_measure_settings *settings)
 {
+    const size_t room = (size_t)task->sample_count + 1;
+    const struct sb_looks looks = sb_looks_of(settings);
+    *basis = (struct basis){.task = task, .level = sb_look_level(&looks)};
+    basis->a = sb_alloc(3 * room * sizeof *basis->a);
+    basis->b = basis->a + room;
+    basis->scratch = basis->b + room;
+    basis->process = sb_alloc(room * sizeof *basis->process);
     int most = 0;
-    for (int64_t p = 0; p < process_count(task); p++) {
-        const int n = frame_times(task, p, ms);
+    for (int64_t p = 0; p < process_end(task); p++) {
+        const int n = values_of(task, p, sb_sample_frame_ms, basis->a);
         most = n > most ? n : most;
     }
     const int wanted = most < settings->first_look ? most : (int)settings->first_look;
-    return most > 0 && frame_times(task, process, ms) >= wanted;
+    for (int64_t p = 0; most > 0 && p < process_end(task); p++)
+        if (values_of(task, p, sb_sample_frame_ms, basis->a) >= wanted)
+            basis->process[basis->process_count++] = p;
 }
 
-// Median of one of the clocks a frame, in ms.
-static double clock_ms(const struct sb_task *task, size_t column, double *scratch)
+static void basis_free(struct basis *basis)
+{
+    free(basis->a);
+    free(basis->process);
+}
+
+// The level of a clock: the median of one process, or the mean of several processes' medians.
+static double clock_level(const struct basis *basis, clock_fn *clock)
+{
+    double *median = basis->b;
+    for (int i = 0; i < basis->process_count; i++) {
+        const int n = values_of(basis->task, basis->process[i], clock, basis->a);
+        sb_sort_doubles(basis->a, n);
+        median[i] = sb_median(basis->a, n);
+    }
+    if (basis->process_count == 1)
+        return median[0];
+    return sb_between_processes(median, basis->process_count, 0.95).point;
+}
+
+static void fill_spread(const struct basis *basis, struct sb_row *row)
 {
     int n = 0;
-    for (int i = 0; i < task->sample_count; i++) {
-        const struct sb_sample_row *sample = &task->sample[i];
-        if (!isnan(sb_sample_frame_ms(sample)))
-            scratch[n++] = (double)*(const int64_t *)((const char *)sample + column) *
-                           1e-6 / (double)sample->batch;
-    }
-    sb_sort_doubles(scratch, n);
-    return sb_median(scratch, n);
-}
-
-static void fill_spread(const struct sb_task *task, struct sb_row *row, double *ms)
-{
-    int n = frame_times(task, -1, ms);
-    sb_sort_doubles(ms, n);
+    for (int i = 0; i < basis->process_count; i++)
+        n += values_of(basis->task, basis->process[i], sb_sample_frame_ms, basis->a + n);
+    sb_sort_doubles(basis->a, n);
     row->rounds = n;
-    row->p05_ms = sb_quantile(ms, n, 0.05);
-    row->p95_ms = sb_quantile(ms, n, 0.95);
-    row->min_ms = n ? ms[0] : NAN;
+    row->p05_ms = sb_quantile(basis->a, n, 0.05);
+    row->p95_ms = sb_quantile(basis->a, n, 0.95);
+    row->min_ms = n ? basis->a[0] : NAN;
     // Deviations from each process's own median, or levels would count as spread.
     n = 0;
-    for (int64_t p = 0; p < process_count(task); p++) {
-        double *own = ms + n;
-        const int count = frame_times(task, p, own);
-        if (count == 0)
-            continue;
-        double *sorted = sb_alloc((size_t)count * sizeof *sorted);
-        memcpy(sorted, own, (size_t)count * sizeof *sorted);
-        sb_sort_doubles(sorted, count);
-        const double median = sb_median(sorted, count);
-        row->autocorrelation = sb_sign_autocorrelation(own, count, median);
-        for (int i = 0; i < count; i++)
-            own[i] = fabs(own[i] - median);
+    for (int i = 0; i < basis->process_count; i++) {
+        double *own = basis->a + n;
+        const int count =
+            values_of(basis->task, basis->process[i], sb_sample_frame_ms, own);
+        memcpy(basis->scratch, own, (size_t)count * sizeof *own);
+        sb_sort_doubles(basis->scratch, count);
+        const double median = sb_median(basis->scratch, count);
+        for (int k = 0; k < count; k++)
+            own[k] = fabs(own[k] - median);
         n += count;
-        free(sorted);
     }
-    sb_sort_doubles(ms, n);
-    row->mad_ms = sb_median(ms, n);
+    sb_sort_doubles(basis->a, n);
+    row->mad_ms = sb_median(basis->a, n);
 }
 
-static void fill_level(const struct sb_task *task, struct sb_row *row, double *ms,
-                       const struct sb_measure_settings *settings)
+static void fill_level(const struct basis *basis, struct sb_row *row)
 {
-    const struct sb_looks looks = sb_looks_of(settings);
     struct sb_interval interval = {NAN, NAN, NAN, 0};
-    double *median = sb_alloc(((size_t)process_count(task) + 1) * sizeof *median);
-    int processes = 0;
-    for (int64_t p = 0; p < process_count(task); p++) {
-        if (!process_counts(task, p, ms, settings))
-            continue;
-        const int n = frame_times(task, p, ms);
-        sb_sort_doubles(ms, n);
-        interval = sb_median_interval(ms, n, sb_look_level(&looks));
-        median[processes++] = interval.point;
+    double *median = basis->b;
+    for (int i = 0; i < basis->process_count; i++) {
+        double rho;
+        const int n =
+            values_of(basis->task, basis->process[i], sb_sample_frame_ms, basis->a);
+        interval = sb_within_run(basis->a, n, basis->level, &rho, basis->scratch);
+        median[i] = interval.point;
+        row->autocorrelation = fmax(row->autocorrelation, rho); // fmax passes over NAN
     }
-    row->ci_kind = "ci95_within_run";
-    if (processes > 1) {
-        interval = sb_between_processes(median, processes, 0.95);
-        row->ci_kind = "ci95_between_processes";
-    }
-    free(median);
-    row->processes = processes;
+    if (basis->process_count > 1)
+        interval = sb_between_processes(median, basis->process_count, 0.95);
+    if (!isnan(interval.lo))
+        row->ci_kind =
+            basis->process_count > 1 ? "ci95_between_processes" : "ci95_within_run";
+    row->processes = basis->process_count;
     row->median_ms = interval.point;
     row->ci_lo_ms = interval.lo;
     row->ci_hi_ms = interval.hi;
@@ -133,24 +170,22 @@ static int pairs_of(const struct sb_task *first, const struct sb_task *task,
     return n;
 }
 
-static void fill_ratio(const struct sb_task *first, const struct sb_task *task,
+static void fill_ratio(const struct basis *basis, const struct sb_task *first,
                        struct sb_row *row)
 {
-    const size_t room = (size_t)task->sample_count + 1;
-    double *a = sb_alloc(4 * room * sizeof *a);
-    double *b = a + room, *scratch = b + room, *point = scratch + room;
     struct sb_interval ratio = {NAN, NAN, NAN, 0};
-    int processes = 0;
-    for (int64_t p = 0; p < process_count(task); p++) {
-        const int n = pairs_of(first, task, p, a, b);
+    double *point = sb_alloc(((size_t)basis->process_count + 1) * sizeof *point);
+    int count = 0;
+    for (int i = 0; i < basis->process_count; i++) {
+        const int n = pairs_of(first, basis->task, basis->process[i], basis->a, basis->b);
         if (n == 0)
             continue;
-        ratio = sb_paired_ratio(a, b, n, 0.95, scratch);
-        point[processes++] = ratio.point;
+        ratio = sb_paired_ratio(basis->a, basis->b, n, basis->level, basis->scratch);
+        point[count++] = ratio.point;
     }
-    if (processes > 1)
-        ratio = sb_between_processes(point, processes, 0.95);
-    free(a);
+    if (count > 1)
+        ratio = sb_between_processes(point, count, 0.95);
+    free(point);
     row->ratio = ratio.point;
     row->ratio_lo = ratio.lo;
     row->ratio_hi = ratio.hi;
@@ -177,6 +212,7 @@ static void fill_work(const struct sb_task *task, struct sb_row *row,
     row->input_hash = hash_text(arena, prepared->input_hash);
     row->binary_hash = hash_text(arena, prepared->binary_hash);
     row->nonfinite = task->nonfinite;
+    row->class_spread = task->class_spread;
     row->negative = task->negative;
     row->growth_4x = task->growth > 0 ? task->growth : NAN;
     row->batch = task->batch ? task->batch : SB_NO_COUNT;
@@ -204,14 +240,46 @@ static void fill_status(const struct sb_task *task, struct sb_row *row)
 {
     enum sb_status status = task->status;
     const bool failed = sb_status_rows[status].exit_code != 0;
+    int valid = 0;
+    for (int i = 0; i < task->sample_count; i++)
+        valid += !isnan(sb_sample_frame_ms(&task->sample[i]));
     if (!failed && task->sample_count == 0)
         status = SB_NOT_MEASURED;
-    else if (!failed &&
-             (double)row->rounds < share_of_valid_samples * (double)task->sample_count)
+    else if (!failed && valid < share_of_valid_samples * task->sample_count)
         status = SB_SAMPLES_INVALID;
+    else if (!failed && isnan(row->ci_lo_ms))
+        status = SB_TOO_FEW_SAMPLES;
     row->status = sb_status_rows[status].word;
     row->note = task->note.length ? task->note.data : NULL;
     row->stop = task->stop;
+}
+
+static double process_median(const struct sb_task *task, int64_t process)
+{
+    double *ms = sb_alloc(((size_t)task->sample_count + 1) * sizeof *ms);
+    const int n = values_of(task, process, sb_sample_frame_ms, ms);
+    sb_sort_doubles(ms, n);
+    const double median = sb_median(ms, n);
+    free(ms);
+    return median;
+}
+
+// A row that an interrupted run left over is measured in a later process, at that one's level.
+// The anchor, the first row of the plan, was measured in both and tells how far they differ.
+static void note_resumed(const struct sb_task *anchor, const struct sb_task *task,
+                         struct sb_row *row, struct sb_arena *arena)
+{
+    if (!anchor->sample_count || !task->sample_count)
+        return;
+    const int64_t began = anchor->sample[0].process, process = task->sample[0].process;
+    if (process == began)
+        return;
+    row->note = sb_arena_printf(
+        arena,
+        "%s%smeasured in process %d of a resumed run, where the first row took %.2f "
+        "times as long as in process %d",
+        row->note ? row->note : "", row->note ? "; " : "", (int)process,
+        process_median(anchor, process) / process_median(anchor, began), (int)began);
 }
 
 static const struct sb_task *first_of_scene(const struct sb_summary_params *params,
@@ -226,16 +294,19 @@ static const struct sb_task *first_of_scene(const struct sb_summary_params *para
 static void fill_times(const struct sb_summary_params *params, const struct sb_task *task,
                        struct sb_row *row)
 {
-    double *ms = sb_alloc(((size_t)task->sample_count + 1) * sizeof *ms);
-    fill_spread(task, row, ms);
-    fill_level(task, row, ms, &params->suite->measure);
-    fill_ratio(first_of_scene(params, task), task, row);
-    row->cpu_ms = clock_ms(task, offsetof(struct sb_sample_row, cpu_ns), ms);
-    row->wall_ms = clock_ms(task, offsetof(struct sb_sample_row, wall_ns), ms);
-    row->submit_ms = clock_ms(task, offsetof(struct sb_sample_row, submit_ns), ms);
+    struct basis basis;
+    basis_make(&basis, task, &params->suite->measure);
+    if (basis.process_count > 0) {
+        fill_spread(&basis, row);
+        fill_level(&basis, row);
+        fill_ratio(&basis, first_of_scene(params, task), row);
+        row->cpu_ms = clock_level(&basis, cpu_ms);
+        row->wall_ms = clock_level(&basis, wall_ms);
+        row->submit_ms = clock_level(&basis, submit_ms);
+    }
     if (row->fragments > 0)
         row->ns_per_fragment = row->median_ms * 1e6 / (double)row->fragments;
-    free(ms);
+    basis_free(&basis);
 }
 
 void sb_summarise(const struct sb_summary_params *params, struct sb_row *row,
@@ -252,11 +323,12 @@ void sb_summarise(const struct sb_summary_params *params, struct sb_row *row,
         row[i].renderer = driver->caps.renderer;
         row[i].version = driver->caps.version;
         row[i].timer_source = timer->name;
-        row[i].timer_error = timer->error;
+        row[i].timer_error = fmax(timer->error, params->timer_error);
         row[i].precision_effective = effective_precision(driver, row[i].axes);
         fill_work(task, &row[i], arena);
         if (task->sample_count)
             fill_times(params, task, &row[i]);
         fill_status(task, &row[i]);
+        note_resumed(params->task, task, &row[i], arena);
     }
 }

@@ -8,6 +8,7 @@ struct sb_summary_params {
     int task_count;
     const struct sb_driver *driver;
     const struct sb_suite *suite;
+    double timer_error; // of earlier processes; the row has the largest of all
 };
 
 // Fills row[0 .. task_count - 1]; texts live in `arena` or in the tasks.

@@ -108,6 +108,7 @@ void sb_task_prepare(struct sb_task *task, const struct sb_prepare_params *param
     };
     struct sb_error err = {0};
     task->nonfinite = task->negative = SB_NO_COUNT;
+    task->class_spread = NAN;
     if (!sb_assemble(&assemble, &task->assembly, &err)) {
         sb_task_fail(task, &err);
         return;

@@ -18,6 +18,8 @@ struct sb_task {
     struct sb_text note; // clauses joined by "; "
     // check
     int64_t nonfinite, negative; // SB_NO_COUNT until checked
+    double
+        class_spread; // largest difference to the class; NAN: alone in it, or unchecked
     // calibrate
     int batch;     // frames a batch
     double growth; // time over that of a quarter of the pixels; 0: not known

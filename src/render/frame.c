@@ -1,5 +1,6 @@
-// One frame, with every piece of state that it depends on set by itself, so that a
-// variant is measured in the same state whatever was drawn before it.
+// One frame. It sets every piece of state that this program ever changes, and what drivers
+// differ in by default, so that a variant is measured in the same state whatever was drawn
+// before it.
 #include "render/render.h"
 
 // Counts the calls where they are made, so that the number cannot drift from the code.

@@ -99,6 +99,8 @@ static bool cut_field(char **p, char **field, bool *last)
             *to++ = *from;
         }
         from++;
+        if (!strchr(",\r\n", *from))
+            return false;
     } else {
         while (*from && *from != ',' && *from != '\n')
             *to++ = *from++;
@@ -154,7 +156,8 @@ bool sb_csv_read(const char *path, struct sb_csv *csv, struct sb_error *err)
         int count;
         const int line = csv->row_count + 1;
         if (!read_line(csv, &p, &cells, &count)) {
-            good = sb_fail(err, SB_BAD_INPUT, "%s:%d: a quote that is not closed", path,
+            good = sb_fail(err, SB_BAD_INPUT,
+                           "%s:%d: a quote that is not closed, or text behind one", path,
                            line);
             break;
         }

@@ -1,5 +1,5 @@
 #include <errno.h>
-#include <stdio.h>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -9,46 +9,52 @@
 #include "results/store.h"
 
 struct sb_store {
-    FILE *samples;
+    int samples;        // descriptor, -1: not open
+    off_t samples_size; // of its whole rounds
     const struct sb_axes *axes;
     const char *dir, *samples_path, *summary_path, *run_path;
     struct sb_text text; // scratch, kept so that a round allocates nothing
     struct sb_arena arena;
 };
 
-// A killed writer leaves half a line: cut it, or the next row would be glued to it.
-static bool cut_half_line(const char *path, struct sb_error *err)
+// Looks at what samples.csv holds: the size of its whole lines, since a killed writer leaves
+// half a line that the next row would be glued to, and whether any of them is a sample.
+static bool examine_samples(struct sb_store *store, bool *measured, struct sb_error *err)
 {
     struct sb_arena arena = {0};
     size_t size;
-    char *data = sb_file_read(&arena, path, (size_t)1 << 30, &size, err);
-    bool good = data != NULL;
-    if (good && size && data[size - 1] != '\n') {
+    const char *data =
+        sb_file_read(&arena, store->samples_path, (size_t)1 << 30, &size, err);
+    if (data) {
         const char *end = strrchr(data, '\n');
-        if (truncate(path, end ? end + 1 - data : 0) != 0)
-            good = sb_fail(err, SB_BAD_INPUT, "%s: %s", path, strerror(errno));
+        store->samples_size = end ? end + 1 - data : 0;
+        *measured = end && strchr(data, '\n') != end;
     }
     sb_arena_free(&arena);
-    return good;
+    return data != NULL;
 }
 
+// A start that failed before it measured leaves a header, which is no result.
 static bool open_samples(struct sb_store *store, bool append, struct sb_error *err)
 {
-    const bool there = sb_file_exists(store->samples_path);
-    if (there && !append)
+    bool measured = false;
+    if (sb_file_exists(store->samples_path) && !examine_samples(store, &measured, err))
+        return false;
+    if (!append && (measured || sb_file_exists(store->run_path)))
         return sb_fail(err, SB_BAD_INPUT,
                        "%s exists; name another folder with -o, or go on with it: "
                        "run --resume %s",
-                       store->samples_path, store->dir);
-    if (there && !cut_half_line(store->samples_path, err))
-        return false;
-    store->samples = fopen(store->samples_path, "ab");
-    if (!store->samples)
+                       measured ? store->samples_path : store->run_path, store->dir);
+    store->samples = open(store->samples_path, O_WRONLY | O_CREAT | O_APPEND, 0666);
+    if (store->samples < 0)
         return sb_fail(err, SB_BAD_INPUT,
                        "%s: %s; name a folder that can be written with -o",
                        store->samples_path, strerror(errno));
-    fseek(store->samples, 0, SEEK_END);
-    return ftell(store->samples) > 0 || sb_store_samples(store, NULL, 0, err);
+    if (store->samples_size == 0)
+        return sb_store_samples(store, NULL, 0, err);
+    if (ftruncate(store->samples, store->samples_size) != 0)
+        return sb_fail(err, SB_BAD_INPUT, "%s: %s", store->samples_path, strerror(errno));
+    return true;
 }
 
 // A suite's own axis must not hide a column.
@@ -69,6 +75,7 @@ struct sb_store *sb_store_open(const struct sb_store_params *params, struct sb_e
     if (!check_names(params->axes, err) || !sb_dir_make(params->dir, err))
         return NULL;
     struct sb_store *store = sb_alloc(sizeof *store);
+    store->samples = -1;
     store->axes = params->axes;
     store->dir = sb_arena_strdup(&store->arena, params->dir);
     store->samples_path = sb_path_join(&store->arena, params->dir, "samples.csv");
@@ -83,8 +90,8 @@ void sb_store_close(struct sb_store **store)
 {
     if (!*store)
         return;
-    if ((*store)->samples)
-        fclose((*store)->samples);
+    if ((*store)->samples >= 0)
+        close((*store)->samples);
     sb_text_free(&(*store)->text);
     struct sb_arena arena = (*store)->arena;
     sb_arena_free(&arena);
@@ -97,6 +104,26 @@ const char *sb_store_dir(const struct sb_store *store)
     return store->dir;
 }
 
+// All of it, or nothing: a round that does not fit is cut off again.
+static bool append_samples(struct sb_store *store, const char *data, size_t size)
+{
+    for (size_t done = 0; done < size;) {
+        const ssize_t count = write(store->samples, data + done, size - done);
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count < 0) {
+            const int cause = errno;
+            const int ignored = ftruncate(store->samples, store->samples_size);
+            (void)ignored; // a device cannot be cut
+            errno = cause;
+            return false;
+        }
+        done += (size_t)count;
+    }
+    store->samples_size += (off_t)size;
+    return true;
+}
+
 // Without rows: the header, for a new file.
 bool sb_store_samples(struct sb_store *store, const struct sb_sample_row *rows, int count,
                       struct sb_error *err)
@@ -107,8 +134,7 @@ bool sb_store_samples(struct sb_store *store, const struct sb_sample_row *rows, 
         sb_csv_header(text, sb_sample_columns, sb_sample_column_count, NULL);
     for (int i = 0; i < count; i++)
         sb_csv_row(text, sb_sample_columns, sb_sample_column_count, NULL, &rows[i]);
-    if (fwrite(text->data, 1, text->length, store->samples) != text->length ||
-        fflush(store->samples) != 0)
+    if (!append_samples(store, text->data, text->length))
         return sb_fail(err, SB_WRITE_FAILED,
                        "%s: %s; the rounds written before are whole", store->samples_path,
                        strerror(errno));

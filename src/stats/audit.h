@@ -34,7 +34,7 @@ struct sb_timer_source {
     // Filled by sb_audit_judge:
     bool credible;
     double error;     // largest |query/wall - 1| over loads, sizes, batch lengths;
-                      // NAN where none could be judged; 0 for wall, the yardstick
+                      // NAN where none could be judged; for wall the share of the wait
     char reason[160]; // why it is not credible, or "" : one clause, for people
 };
 

@@ -34,28 +34,6 @@ double sb_quantile(const double *sorted, int n, double p)
     return sorted[below] + (place - below) * (sorted[below + 1] - sorted[below]);
 }
 
-double sb_mad(const double *sorted, int n)
-{
-    const double median = sb_median(sorted, n);
-    // Deviations grow away from the median on both sides, so two runs that are sorted
-    // already are merged from the middle outwards, as far as the middle deviations.
-    int left = n, right = n;
-    while (left > 0 && sorted[left - 1] >= median)
-        right = --left;
-    double before = NAN, deviation = NAN;
-    for (int taken = 0; taken <= n / 2 && n > 0; taken++) {
-        before = deviation;
-        const double down = left > 0 ? median - sorted[left - 1] : INFINITY;
-        const double up = right < n ? sorted[right] - median : INFINITY;
-        deviation = down < up ? down : up;
-        if (down < up)
-            left--;
-        else
-            right++;
-    }
-    return n % 2 ? deviation : before / 2 + deviation / 2;
-}
-
 // The largest k with P(Binomial(n, 1/2) <= k - 1) <= tail, or 0 where there is none.
 static int rank_for(int n, double tail)
 {

@@ -23,10 +23,6 @@ double sb_median(const double *sorted, int n);
 // linear between the order statistics around place (n - 1) p, counted from 0.
 double sb_quantile(const double *sorted, int n, double p);
 
-// Median absolute deviation from the median, raw: times 1.4826 it estimates the standard
-// deviation of normal samples.
-double sb_mad(const double *sorted, int n);
-
 // The median with an exact interval between two order statistics: the k-th value from
 // either end, with the largest k for which 2 P(Binomial(n, 1/2) < k) <= 1 - level. So it
 // covers with at least `level`, for any continuous distribution of independent samples
