@@ -21,7 +21,7 @@ static void unknown_words_are_answered_with_the_nearest_and_the_valid(void **sta
     check_answer("run --context nul", 2, "null");
     check_answer("run --context null --scene speher", 2, "sphere");
     check_answer("list axises", 2, "did you mean \"axes\"? valid: suites");
-    check_answer("run --context null --set point=1 --timer elapsd", 2, "unknown timer");
+    check_answer("run --context null --timer elapsd -o @/timer", 2, "unknown timer");
     check_answer("show point=4,stag=vertex", 2, "stag");
     check_answer("run --preset delfi --context null", 2, "delfi");
 }

@@ -3,6 +3,7 @@
 #include "math/random.h"
 #include "stats/order.h"
 #include "stats/paired.h"
+#include "stats/series.h"
 
 enum { MOST = 600 };
 static double a[MOST], b[MOST], scratch[MOST];

@@ -1,5 +1,6 @@
 // shadebench run: measures a suite.
 #include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -146,7 +147,7 @@ static int next_process(const char *dir, const struct sb_options *options,
 }
 
 static void print_head(const struct sb_suite *suite, const struct sb_row *row,
-                       bool same_kind)
+                       bool same_kind, double drift)
 {
     if (suite->about && suite->about[0])
         printf("%s: %s\n", suite->name, suite->about);
@@ -154,13 +155,12 @@ static void print_head(const struct sb_suite *suite, const struct sb_row *row,
     printf("timer: %s, within %.1f %% of the wall clock of long drained batches\n",
            row->timer_source, 100 * row->timer_error);
     if (!same_kind)
-        printf("±: 95 %% intervals, within a run or between processes (ci_kind of each "
-               "row)\n\n");
+        printf("±: 95 %%, within a run or between processes (ci_kind of each row)\n");
     else if (row->ci_kind)
-        printf("±: %s%s\n\n", row->ci_kind,
-               row->processes > 1
-                   ? ""
-                   : "; another process may differ by more (--processes 3)");
+        printf("±: %s\n", row->ci_kind);
+    printf("levels drifted by up to %.1f %% within a process%s\n\n", 100 * drift,
+           row->processes > 1 ? ""
+                              : "; between processes they may by more: --processes 3");
 }
 
 static void print_results(const struct sb_options *options, const struct sb_suite *suite,
@@ -178,14 +178,16 @@ static void print_results(const struct sb_options *options, const struct sb_suit
     }
     const struct sb_row *shown = result->row;
     bool same_kind = true;
-    for (int i = 1; i < result->row_count; i++) {
+    double drift = 0;
+    for (int i = 0; i < result->row_count; i++) {
         const struct sb_row *row = &result->row[i];
         if (!shown->ci_kind)
             shown = row;
         else if (row->ci_kind)
             same_kind &= strcmp(row->ci_kind, shown->ci_kind) == 0;
+        drift = fmax(drift, row->drift); // fmax passes over NAN
     }
-    print_head(suite, shown, same_kind);
+    print_head(suite, shown, same_kind, drift);
     sb_report_table(suite, result->row, result->row_count);
     if (written)
         printf("\nresults: %s/summary.csv\n", dir);

@@ -6,10 +6,10 @@
 // The pixels that the scene covers: some, finite, not all black. Fails the task otherwise.
 void sb_check_picture(struct sb_task *task, const struct sb_driver *driver);
 
-// Every light changes a pixel of a small float picture of the task's own program. Groups that
-// make a difference are halved until single lights remain, so a light that does nothing is
-// found and named. `thorough`: all lights; else the last of each type, which finds a count
-// that is off by one.
+// Every light changes a pixel of a small float picture of the task's own program: they are
+// switched on one after another, so one that does nothing is found and named. For ten seconds
+// at most; what was left unchecked is noted. `thorough`: all lights; else the last of each type,
+// which finds a count that is off by one.
 void sb_check_lights(struct sb_task *task, const struct sb_driver *driver, bool thorough);
 
 // The small picture against that of a task of the same equivalence class: equal, or within

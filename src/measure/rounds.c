@@ -5,7 +5,6 @@
 #include "measure/interrupt.h"
 #include "measure/rounds.h"
 #include "stats/schedule.h"
-#include "stats/within.h"
 
 struct sb_looks sb_looks_of(const struct sb_measure_settings *settings)
 {
@@ -18,7 +17,7 @@ bool sb_task_precise(const struct sb_task *task, int process,
 {
     const struct sb_looks looks = sb_looks_of(settings);
     const size_t room = (size_t)task->sample_count + 1;
-    double *ms = sb_alloc(2 * room * sizeof *ms);
+    double *ms = sb_alloc(room * sizeof *ms);
     int n = 0, rounds = 0;
     for (int i = 0; i < task->sample_count; i++) {
         const double one = sb_sample_frame_ms(&task->sample[i]);
@@ -28,8 +27,8 @@ bool sb_task_precise(const struct sb_task *task, int process,
         if (!isnan(one))
             ms[n++] = one;
     }
-    const struct sb_interval interval =
-        sb_within_run(ms, n, sb_look_level(&looks), NULL, ms + room);
+    sb_sort_doubles(ms, n);
+    const struct sb_interval interval = sb_median_interval(ms, n, sb_look_level(&looks));
     free(ms);
     return rounds >= looks.first && sb_precise_enough(&interval, settings->half_width);
 }

@@ -8,7 +8,7 @@
 #include "measure/summary.h"
 #include "stats/between.h"
 #include "stats/paired.h"
-#include "stats/within.h"
+#include "stats/series.h"
 
 static const double share_of_valid_samples = 0.8;
 
@@ -131,12 +131,16 @@ static void fill_level(const struct basis *basis, struct sb_row *row)
     struct sb_interval interval = {NAN, NAN, NAN, 0};
     double *median = basis->b;
     for (int i = 0; i < basis->process_count; i++) {
-        double rho;
-        const int n =
-            values_of(basis->task, basis->process[i], sb_sample_frame_ms, basis->a);
-        interval = sb_within_run(basis->a, n, basis->level, &rho, basis->scratch);
+        double *const ms = basis->a, *const sorted = basis->scratch;
+        const int n = values_of(basis->task, basis->process[i], sb_sample_frame_ms, ms);
+        // fmax passes over NAN: the largest of the processes that have one.
+        row->drift = fmax(row->drift, sb_drift(ms, n, sorted));
+        memcpy(sorted, ms, (size_t)n * sizeof *ms);
+        sb_sort_doubles(sorted, n);
+        interval = sb_median_interval(sorted, n, basis->level);
         median[i] = interval.point;
-        row->autocorrelation = fmax(row->autocorrelation, rho); // fmax passes over NAN
+        row->autocorrelation =
+            fmax(row->autocorrelation, sb_sign_autocorrelation(ms, n, interval.point));
     }
     if (basis->process_count > 1)
         interval = sb_between_processes(median, basis->process_count, 0.95);

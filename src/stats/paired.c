@@ -77,15 +77,3 @@ struct sb_interval sb_paired_ratio(const double *a, const double *b, int n, doub
     }
     return interval;
 }
-
-double sb_sign_autocorrelation(const double *values, int n, double centre)
-{
-    double products = 0, squares = 0, before = 0;
-    for (int i = 0; i < n; i++) {
-        const double sign = (values[i] > centre) - (values[i] < centre);
-        products += before * sign;
-        squares += sign * sign;
-        before = sign;
-    }
-    return squares > 0 ? products / squares : NAN;
-}

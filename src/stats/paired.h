@@ -21,9 +21,3 @@
 // where a time is not positive.
 struct sb_interval sb_paired_ratio(const double *a, const double *b, int n, double level,
                                    double *scratch);
-
-// Lag-1 autocorrelation of the signs of values[i] - centre, in the order they were
-// measured: sum of s[i] s[i+1] over sum of s[i]^2; about 0 for independent samples. Over
-// 0.3 an interval says little beyond its own run. Signs, so that spikes do not hide it.
-// NAN where every value is the centre.
-double sb_sign_autocorrelation(const double *values, int n, double centre);

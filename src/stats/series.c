@@ -1,0 +1,39 @@
+#include <math.h>
+#include <string.h>
+
+#include "stats/order.h"
+#include "stats/series.h"
+
+double sb_sign_autocorrelation(const double *values, int n, double centre)
+{
+    double products = 0, squares = 0, before = 0;
+    for (int i = 0; i < n; i++) {
+        const double sign = (values[i] > centre) - (values[i] < centre);
+        products += before * sign;
+        squares += sign * sign;
+        before = sign;
+    }
+    return squares > 0 ? products / squares : NAN;
+}
+
+static double median_of(const double *values, int n, double *scratch)
+{
+    memcpy(scratch, values, (size_t)n * sizeof *values);
+    sb_sort_doubles(scratch, n);
+    return sb_median(scratch, n);
+}
+
+double sb_drift(const double *values, int n, double *scratch)
+{
+    if (n < 4)
+        return NAN;
+    double least = INFINITY, most = -INFINITY;
+    for (int quarter = 0; quarter < 4; quarter++) {
+        const int begin = (int)((long long)n * quarter / 4);
+        const int end = (int)((long long)n * (quarter + 1) / 4);
+        const double median = median_of(values + begin, end - begin, scratch);
+        least = fmin(least, median);
+        most = fmax(most, median);
+    }
+    return (most - least) / median_of(values, n, scratch);
+}
