@@ -94,7 +94,7 @@ static void damaged_folders_are_refused_in_one_line(void **state)
     (void)state;
     check_damaged("d0", "rm run.json", "run.json: No such file");
     check_damaged("d1", "echo '{' >run.json", "run.json:");
-    check_damaged("d2", "echo '[]' >run.json", "run.json: 0 variants");
+    check_damaged("d2", "echo '[]' >run.json", "run.json: not the record of a run");
     check_damaged("d3", "rm samples.csv && : >samples.csv", "samples.csv: empty");
     check_damaged("d4", "sed -i 1s/process/proc/ samples.csv", "not the columns");
     check_damaged("d5", "sed -i '1s/round,place/place,round/' samples.csv",

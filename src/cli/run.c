@@ -35,7 +35,7 @@ static json_t *arguments_json(int argc, char **argv, struct sb_error *err)
 // What a folder holds was measured with one plan on one driver; another is another run.
 static bool check_resume(const struct sb_options *now, struct sb_error *err)
 {
-    const struct sb_assignments *const lists[] = {&now->set, &now->sweep, &now->cross};
+    const struct sb_assignments lists[] = {now->set, now->sweep, now->cross};
     const struct {
         const char *name, *value;
     } texts[] = {
@@ -46,8 +46,8 @@ static bool check_resume(const struct sb_options *now, struct sb_error *err)
     };
     const char *what = now->images ? "--images" : NULL, *value = "";
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
-        if (lists[i]->count)
-            what = lists[i]->item[0].origin;
+        if (lists[i].count)
+            what = lists[i].item[0].origin;
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         if (texts[i].value) {
             what = texts[i].name;

@@ -163,6 +163,15 @@ bool sb_store_run(struct sb_store *store, const json_t *run, struct sb_error *er
     return good;
 }
 
+static bool is_run(const json_t *run)
+{
+    static const char *const lists[] = {"arguments", "entries", "processes"};
+    for (int i = 0; i < 3; i++)
+        if (!json_is_array(json_object_get(run, lists[i])))
+            return false;
+    return true;
+}
+
 json_t *sb_store_read_run(const char *dir, struct sb_error *err)
 {
     struct sb_arena arena = {0};
@@ -173,6 +182,11 @@ json_t *sb_store_read_run(const char *dir, struct sb_error *err)
     if (data && !(run = json_loads(data, 0, &cause)))
         sb_fail(err, SB_BAD_INPUT, "%s:%d:%d: %s", path, cause.line, cause.column,
                 cause.text);
+    if (run && !is_run(run)) {
+        sb_fail(err, SB_BAD_INPUT, "%s: not the record of a run", path);
+        json_decref(run);
+        run = NULL;
+    }
     sb_arena_free(&arena);
     return run;
 }
