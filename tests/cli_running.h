@@ -27,7 +27,10 @@ static inline void start_program(struct running *it, const char *arguments)
     it->length = 0;
     it->text[0] = '\0';
     it->terminal = posix_openpt(O_RDWR | O_NOCTTY);
-    assert_true(it->terminal >= 0);
+    if (it->terminal < 0) {
+        print_message("no pseudo-terminal to be had here\n");
+        skip();
+    }
     assert_int_equal(grantpt(it->terminal), 0);
     assert_int_equal(unlockpt(it->terminal), 0);
     const int program_side = open(ptsname(it->terminal), O_RDWR | O_NOCTTY);

@@ -16,12 +16,13 @@ static const struct sb_yaml *load_preset(const char *name, const char *data_dir,
     if (sb_suite_name_valid(name) && sb_file_exists(path))
         return sb_yaml_load(arena, path, err);
     int count = 0;
-    char **names = sb_dir_list(arena, folder, ".yaml", &count, err);
-    if (names) {
-        for (int i = 0; i < count; i++)
-            *strrchr(names[i], '.') = '\0';
-        sb_fail_unknown(err, folder, "preset", name, (const char *const *)names, count);
-    }
+    char **names = NULL; // of a data folder without presets: none
+    if (sb_dir_exists(folder) &&
+        !(names = sb_dir_list(arena, folder, ".yaml", &count, err)))
+        return NULL;
+    for (int i = 0; i < count; i++)
+        *strrchr(names[i], '.') = '\0';
+    sb_fail_unknown(err, folder, "preset", name, (const char *const *)names, count);
     return NULL;
 }
 
