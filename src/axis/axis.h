@@ -1,9 +1,9 @@
 // Axes: everything that may differ between two variants, one row each.
 //
 // The built-in rows stand in axes.def and nowhere else; rows that a suite declares are the
-// same struct behind them. Parser, --help, `list`, ids, CSV columns, GLSL constants and
-// docs/axes.md iterate over the table. Only the layers scene, effects, reference,
-// assemble, render and cases may name a built-in axis.
+// same struct behind them. Parser, --help, `list`, ids, CSV columns and GLSL constants
+// iterate over the table. Only the layers scene, effects, reference, assemble, render and
+// cases may name a built-in axis.
 #pragma once
 
 #include <stdbool.h>
