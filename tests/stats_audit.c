@@ -99,6 +99,23 @@ static void the_clock_itself_has_the_wait_as_its_error(void **state)
     judge();
     assert_true(source->credible);
     check_close(source->error, 400000.0 / FRAME_NS, 1e-12);
+    check_close(source->missing_ns, 400000, 0);
+}
+
+static void misses_the_start(struct sb_timer_reading *r, int repeat)
+{
+    (void)repeat;
+    r->wall_ns = r->query_ns;
+    r->query_ns -= r->load == SB_LOAD_VERTEX ? 90000 : 30000;
+}
+
+static void what_a_batch_misses_is_told_apart_from_the_share(void **state)
+{
+    (void)state;
+    const struct sb_timer_source *source = judge_one(misses_the_start);
+    assert_true(source->credible);
+    check_close(source->missing_ns, 90000, 0);
+    check_close(source->error, 90000.0 / FRAME_NS, 1e-12);
 }
 
 static void last_tile_only(struct sb_timer_reading *r, int repeat)
@@ -536,6 +553,7 @@ int main(void)
         with_audit(a_right_timer_is_credible),
         with_audit(the_wait_for_a_batch_is_not_held_against_a_timer),
         with_audit(the_clock_itself_has_the_wait_as_its_error),
+        with_audit(what_a_batch_misses_is_told_apart_from_the_share),
         with_audit(a_timer_of_the_last_tile_is_not_credible),
         with_audit(a_timer_that_misses_vertex_work_is_not_credible),
         with_audit(the_first_credible_source_of_the_ladder_is_chosen),

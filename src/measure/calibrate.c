@@ -42,7 +42,8 @@ static double wanted_ns(const struct sb_driver *driver,
                         const struct sb_measure_settings *settings)
 {
     const struct sb_timer_source *source = &driver->audit.source[driver->timer];
-    const double floor = fmax(1000 * source->granularity_ns, 50 * source->empty_ns);
+    const double floor = fmax(fmax(1000 * source->granularity_ns, 50 * source->empty_ns),
+                              50 * source->missing_ns);
     return fmin(fmax(floor, settings->batch_ms * 1e6),
                 fmax(20e6, settings->batch_ms * 1e6));
 }

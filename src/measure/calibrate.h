@@ -4,7 +4,8 @@
 
 #include "measure/task.h"
 
-// Frames a batch: the fewest that last max(1000 x granularity, 50 x an empty query, batch_ms),
+// Frames a batch: the fewest that last max(1000 x granularity, 50 x an empty query,
+// 50 x what the audit saw the timer misread a batch by, batch_ms),
 // but no more than a batch of 20 ms. Only ever grows the batch, so it can be asked again once
 // the driver is warm and frames take less.
 bool sb_calibrate_batch(struct sb_task *task, const struct sb_driver *driver,

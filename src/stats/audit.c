@@ -259,6 +259,22 @@ static double largest_error(const struct sb_audit *audit, int s)
     return error; // fmax passes over NAN
 }
 
+static double misread(const struct sb_timer_reading *r)
+{
+    return fabs((double)(r->wall_ns - r->wait_ns) - (double)r->query_ns);
+}
+
+static double most_misread(const struct sb_audit *audit, int s)
+{
+    double most = 0;
+    for (int i = 0; i < audit->reading_count; i++) {
+        const struct sb_timer_reading *r = &audit->reading[i];
+        if (r->source == s && r->frames == 1)
+            most = fmax(most, median_of(audit, r, 1, misread)); // passes over NAN
+    }
+    return most;
+}
+
 void sb_audit_judge(struct sb_audit *audit, double tolerance)
 {
     const double lo = 1 - tolerance, hi = 1 + tolerance;
@@ -273,6 +289,7 @@ void sb_audit_judge(struct sb_audit *audit, double tolerance)
             continue;
         }
         source->error = largest_error(audit, s);
+        source->missing_ns = most_misread(audit, s);
         // Dropped draws also break the doubling, and say more.
         source->credible = judge_counter(audit, s) && judge_samples(audit, s) &&
                            judge_wall(audit, s, lo, hi) && judge_drained(audit, s) &&

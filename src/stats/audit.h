@@ -33,9 +33,10 @@ struct sb_timer_source {
     double empty_ns;       // median of a query around nothing
     // Filled by sb_audit_judge:
     bool credible;
-    double error;     // largest |query/wall - 1| over loads, sizes, batch lengths;
-                      // NAN where none could be judged; for wall the share of the wait
-    char reason[160]; // why it is not credible, or "" : one clause, for people
+    double error;      // largest |query/wall - 1| over loads, sizes, batch lengths;
+                       // NAN where none could be judged; for wall the share of the wait
+    double missing_ns; // most that a batch of one frame was misread by: a constant cost
+    char reason[160];  // why it is not credible, or "" : one clause, for people
 };
 
 struct sb_audit {
