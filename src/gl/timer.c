@@ -64,7 +64,7 @@ static enum sb_read elapsed_read(struct sb_query *query, const struct sb_caps *c
 
 // A tiler that writes the counter tile by tile reports its last tile, and one that leaves it
 // to a thread of its own may write the begin after work has begun: on llvmpipe glFlush alone
-// was seen to miss up to 97 % of the vertex work. So the begin is waited for, and the end
+// lets the vertex work win that race now and then. So the begin is waited for, and the end
 // comes after a flush, as work of its own.
 static void finished_begin(struct sb_query *query)
 {

@@ -99,11 +99,6 @@ void sb_store_close(struct sb_store **store)
     *store = NULL;
 }
 
-const char *sb_store_dir(const struct sb_store *store)
-{
-    return store->dir;
-}
-
 // All of it, or nothing: a round that does not fit is cut off again.
 static bool append_samples(struct sb_store *store, const char *data, size_t size)
 {

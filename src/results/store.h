@@ -18,7 +18,6 @@ struct sb_store_params {
 struct sb_store *sb_store_open(const struct sb_store_params *params,
                                struct sb_error *err);
 void sb_store_close(struct sb_store **store);
-const char *sb_store_dir(const struct sb_store *store);
 
 // SB_WRITE_FAILED names the file and the cause; what was written before stays whole.
 bool sb_store_samples(struct sb_store *store, const struct sb_sample_row *rows, int count,
