@@ -4,36 +4,40 @@
 // docs/glsl.md has the whole equation.
 #include "unit.glsl"
 #include "surface.glsl"
-#include "lights/structs.glsl"
+
+// What there is to read.
+#include "generated/light_structs.glsl"
+#include "material.glsl"
 #include "storage/$(STORAGE).glsl"
+#include "loop/$(LOOP).glsl"
+#include "hoist/$(HOIST).glsl"
+#include "space/$(SPACE).glsl"
+
+// The formulas.
+#include "guard/$(GUARD).glsl"
 #include "model/$(MODEL).glsl"
 #include "ambient/$(AMBIENT).glsl"
 #include "attenuation/$(ATTENUATION).glsl"
 #include "cone/$(CONE).glsl"
+#include "lights/terms.glsl"
+#include "slips/$(SLIPS).glsl" // may put its own in place of those above
+
+// The lights.
 #include "lights/add.glsl"
 #include "lights/dir.glsl"
 #include "lights/point.glsl"
 #include "lights/spot.glsl"
-
-struct Material {
-    P_UNIFORM vec3 ambient;
-    P_UNIFORM vec3 diffuse;
-    P_UNIFORM vec3 specular;
-    P_UNIFORM float shininess;
-};
-uniform Material u_material;
-uniform P_POSITION vec3 u_camera_position;
+#include "layout/$(LAYOUT).glsl"
 
 Shade shade_surface(P_POSITION vec3 position, P_VECTOR vec3 normal)
 {
+    fill_lights();
     Surface surface = Surface(position, normal, vec3(0.0), u_material.shininess);
-    IF_SPECULAR(surface.view = unit_difference(u_camera_position - position);)
+    IF_VIEW(surface.view = unit_difference(to_eye(position));)
 
-    Lit lit = Lit(vec3(0.0), vec3(0.0), vec3(0.0));
-    IF_AMBIENT(lit.ambient = scene_ambient();)
-    add_dir_lights(surface, lit);
-    add_point_lights(surface, lit);
-    add_spot_lights(surface, lit);
+    Lit lit = no_light();
+    IF_AMBIENT(lit.ambient += scene_ambient();)
+    add_lights(surface, lit);
 
     // Copies, so that the precision of the uniforms does not raise that of the products.
     P_COLOR vec3 ambient = u_material.ambient;

@@ -6,13 +6,15 @@
 ATTRIBUTE highp vec3 a_position;
 ATTRIBUTE highp vec3 a_normal;
 ATTRIBUTE highp vec2 a_uv;
+ATTRIBUTE highp vec4 a_tangent; // w: sign of the bitangent
 
 uniform highp mat4 u_model;
-uniform highp mat3 u_normal_matrix;
+uniform highp mat3 u_normal_matrix; // to the space of the lighting
 uniform highp mat4 u_view_projection;
 
 VARYING_OUT P_VARYING vec2 v_uv; // the linker drops it where no map reads it
 
+#include "space/$(SPACE).vert"
 #include "stage/$(STAGE).vert"
 
 void main()
@@ -25,5 +27,7 @@ void main()
     // normalize() gives NaN and blackens every triangle around the vertex.
     highp vec3 normal = u_normal_matrix * a_normal;
     highp float n2 = dot(normal, normal);
-    hand_over(world.xyz, n2 > 0.0 ? normal * inversesqrt(n2) : normal);
+    normal = n2 > 0.0 ? normal * inversesqrt(n2) : normal;
+    hand_over(lit_position(world), normal);
+    IF_NORMAL_MAP(hand_over_frame(normal, lit_direction(mat3(u_model) * a_tangent.xyz));)
 }

@@ -69,6 +69,7 @@ static void every_variant_of_every_suite_is_a_valid_program(void **state)
     (void)state;
     struct seen seen = {0};
     check_folder("bench", &seen);
+    check_folder("bench/presets", &seen);
     print_message("%d programs\n", seen.count);
     assert_true(seen.count > 0);
     free(seen.hash);

@@ -11,7 +11,8 @@ static inline void variant_of_words(const struct sb_axes *axes, const char *word
     struct sb_error err = {0};
     char text[512];
     sb_variant_init(axes, variant);
-    snprintf(text, sizeof text, "%s", words);
+    assert_true(strlen(words) < sizeof text);
+    strcpy(text, words);
     for (char *rest = text, *word; (word = strtok_r(rest, " ", &rest)) != NULL;) {
         char *value = strchr(word, '=');
         assert_non_null(value);
@@ -24,25 +25,42 @@ static inline void variant_of_words(const struct sb_axes *axes, const char *word
         fail_msg("%s", err.text);
 }
 
-// caps NULL: the ideal driver of the variant's API.
-static inline bool assemble_with(const struct sb_axes *axes, const char *words,
-                                 const struct sb_caps *caps, struct sb_assembly *assembly,
-                                 struct sb_error *err)
+struct assembling { // zero: the default
+    const struct sb_axes *axes;
+    const char *words, *scene;
+    const char *shaders;        // a folder
+    const struct sb_caps *caps; // NULL: the ideal driver of the variant's API
+    bool movable_lights;
+};
+
+static inline bool assemble_from(const struct assembling *from,
+                                 struct sb_assembly *assembly, struct sb_error *err)
 {
+    const struct sb_axes *axes = from->axes ? from->axes : sb_axes_builtin();
     struct sb_variant variant;
-    variant_of_words(axes, words, &variant);
+    variant_of_words(axes, from->words ? from->words : "", &variant);
     struct sb_caps ideal;
     sb_caps_ideal(variant.value[SB_AXIS_API] == SB_API_GLES, &ideal);
     const struct sb_assemble_params params = {
         .data_dir = SB_SOURCE_DIR,
+        .shaders = from->shaders,
         .axes = axes,
-        .scene = "sphere",
+        .scene = from->scene ? from->scene : "sphere",
         .variant = &variant,
-        .caps = caps ? caps : &ideal,
+        .caps = from->caps ? from->caps : &ideal,
         .id = 7,
+        .movable_lights = from->movable_lights,
     };
     *assembly = (struct sb_assembly){0};
     return sb_assemble(&params, assembly, err);
+}
+
+static inline bool assemble_with(const struct sb_axes *axes, const char *words,
+                                 const struct sb_caps *caps, struct sb_assembly *assembly,
+                                 struct sb_error *err)
+{
+    const struct assembling from = {.axes = axes, .words = words, .caps = caps};
+    return assemble_from(&from, assembly, err);
 }
 
 static inline void assemble(const char *words, struct sb_assembly *assembly)
@@ -50,6 +68,14 @@ static inline void assemble(const char *words, struct sb_assembly *assembly)
     struct sb_error err = {0};
     if (!assemble_with(sb_axes_builtin(), words, NULL, assembly, &err))
         fail_msg("%s: %s", words, err.text);
+}
+
+// The sources of the program that lights.
+enum { VERTEX, GEOMETRY, FRAGMENT, STAGES };
+static inline const struct sb_glsl_source *shade_of(const struct sb_assembly *assembly,
+                                                    int stage)
+{
+    return &assembly->source[SB_ROLE_SHADE][stage];
 }
 
 // Programs that validate exit with 77 then: skipped.

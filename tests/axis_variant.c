@@ -295,14 +295,26 @@ static void bad_words_are_refused_with_the_valid_ones(void **state)
 static void what_is_not_implemented_is_refused_by_set_and_by_resolve(void **state)
 {
     (void)state;
-    not_set(SB_AXIS_CONE, "exponent", SB_NOT_IMPLEMENTED,
-            "cone=exponent: not implemented yet; implemented: hard linear smooth");
-    not_set(SB_AXIS_AREA, "4", SB_NOT_IMPLEMENTED,
-            "area=4: not implemented yet; implemented: 0");
-    not_set(SB_AXIS_AREA_SHAPE, "tube", SB_NOT_IMPLEMENTED, "implemented: none");
-    assert_true(sb_variant_set(&axes, &v, SB_AXIS_AREA, "0", &err));
+    static const struct sb_value curve[] = {
+        {"line", "", "", "", 0}, {"arc", "", "", "", 0}, {"spiral", "", "", "", SB_TODO}};
+    static const struct sb_value knot[] = {{"reef", "", "", "", SB_TODO}};
+    const struct sb_axis rows[] = {
+        {"curve", "", "spot>0", "", "", SB_QUALITY, 0, curve, 3, 0, 0, 2},
+        {"turns", "", "", "", "", SB_QUALITY, SB_WHOLE | SB_TODO, NULL, 0, 0, 0, 9},
+        {"knot", "", "", "", "", SB_QUALITY, 0, knot, 1, 0, 0, 0},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        assert_true(sb_axes_add(&axes, &rows[i], &err));
+    const int first = axes.count - 3;
+    not_set(first, "spiral", SB_NOT_IMPLEMENTED,
+            "curve=spiral: not implemented yet; implemented: line arc");
+    not_set(first + 1, "4", SB_NOT_IMPLEMENTED,
+            "turns=4: not implemented yet; implemented: 0");
+    not_set(first + 2, "reef", SB_NOT_IMPLEMENTED, "implemented: none");
+    assert_true(sb_variant_set(&axes, &v, first + 1, "0", &err));
+    axes.row[first + 2].values = curve; // for resolve, one that is
     sb_variant_put(&v, SB_AXIS_SPOT, 1);
-    sb_variant_put(&v, SB_AXIS_CONE, SB_CONE_EXPONENT);
+    sb_variant_put(&v, first, 2);
     assert_false(sb_variant_resolve(&axes, &v, &err));
     assert_int_equal(err.status, SB_NOT_IMPLEMENTED);
     sb_variant_put(&v, SB_AXIS_SPOT, 0); // moot now, so at init

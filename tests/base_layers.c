@@ -3,6 +3,7 @@
 
 #include <dirent.h>
 
+#include "axis/axis.h"
 #include "base/file.h"
 #include "base/text.h"
 
@@ -43,6 +44,43 @@ static bool may_include(const char *from, const char *to)
     return strcmp(from, to) == 0 || strstr(list, word) || strstr(list, " * ");
 }
 
+// All other layers iterate over the table of axes.
+static bool may_name_axes(const char *folder)
+{
+    static const char *const folders[] = {"axis",     "scene",  "effects", "reference",
+                                          "assemble", "render", "cases"};
+    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++)
+        if (strcmp(folder, folders[i]) == 0)
+            return true;
+    return false;
+}
+
+static int axes_named(const char *folder, const char *name, const char *text)
+{
+    static const char *const axis[] = {
+#define VALUE(...)
+#define CHOICE(id, ...) "SB_AXIS_" #id,
+#define NUMBER(id, ...) "SB_AXIS_" #id,
+#include "axis/axes.def"
+#undef CHOICE
+#undef NUMBER
+#undef VALUE
+    };
+    int named = 0;
+    for (int i = 0; i < SB_AXIS_BUILTIN_COUNT; i++) {
+        const char *at = strstr(text, axis[i]);
+        const char end = at ? at[strlen(axis[i])] : 'A';
+        // SB_AXIS_P is no axis, but begins SB_AXIS_POINT.
+        if (end == '_' || (end >= 'A' && end <= 'Z'))
+            continue;
+        print_error("src/%s/%s names %s; a layer that may is scene, effects, reference, "
+                    "assemble, render or cases\n",
+                    folder, name, axis[i]);
+        named++;
+    }
+    return named;
+}
+
 static int check_file(struct sb_arena *arena, const char *folder, const char *name)
 {
     int broken = 0;
@@ -57,10 +95,10 @@ static int check_file(struct sb_arena *arena, const char *folder, const char *na
                     name, target, allowed[find(folder)]);
         broken++;
     }
-    return broken;
+    return broken + (may_name_axes(folder) ? 0 : axes_named(folder, name, text));
 }
 
-static void every_include_goes_down_the_layers(void **state)
+static void every_include_goes_down_the_layers_and_axes_stay_where_they_may(void **state)
 {
     (void)state;
     struct sb_arena arena = {0};
@@ -109,7 +147,7 @@ static void a_layer_lists_only_layers_above_it_in_the_file(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_include_goes_down_the_layers),
+        cmocka_unit_test(every_include_goes_down_the_layers_and_axes_stay_where_they_may),
         cmocka_unit_test(every_folder_of_src_is_a_layer),
         cmocka_unit_test(a_layer_lists_only_layers_above_it_in_the_file),
     };

@@ -45,9 +45,10 @@ static void wrong_values_say_what_is_valid(void **state)
 static void what_is_not_implemented_is_refused_by_name(void **state)
 {
     (void)state;
-    check_answer("run --context null --set shadows=2", 2, "not implemented yet");
-    check_answer("run --context null --set cone=exponent --set spot=1", 2,
-                 "not implemented yet; implemented: hard linear smooth");
+    check_answer("run --context null --set emulate=fp16", 2,
+                 "emulate=fp16: not implemented yet; implemented: none");
+    check_answer("run --context null --set specialise=uber", 2,
+                 "not implemented yet; implemented: scene");
 }
 
 static void a_wrong_suite_file_names_file_line_and_column(void **state)

@@ -88,8 +88,10 @@ static void show_holds_the_sources_and_the_plan(void **state)
     json_t *json = run_json("show point=4,stage=vertex --json", 0);
     assert_string_equal(json_string_value(json_object_get(json, "variant")),
                         "point=4,stage=vertex");
-    const char *vertex = json_string_value(json_object_get(json, "vertex"));
-    const char *fragment = json_string_value(json_object_get(json, "fragment"));
+    const json_t *program = json_array_get(json_object_get(json, "programs"), 0);
+    assert_string_equal(json_string_value(json_object_get(program, "role")), "shade");
+    const char *vertex = json_string_value(json_object_get(program, "vertex"));
+    const char *fragment = json_string_value(json_object_get(program, "fragment"));
     check_contains(vertex, "#define NR_POINT_LIGHTS 4\n");
     check_contains(answer.text, vertex);
     check_contains(answer.text, fragment);

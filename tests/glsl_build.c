@@ -8,6 +8,13 @@ static const struct sb_glsl_define defines[] = {
     {"UP", ".."},
 };
 
+static const struct sb_glsl_text given[] = {
+    {"made/lights.glsl", "p\n#include \"unit.glsl\"\nq\n"},
+    {"made/empty.glsl", ""},
+    {"made/wrong.glsl", "\n#include \"none.glsl\"\n"},
+    {"made/round.glsl", "#include \"made/round.glsl\"\n"},
+};
+
 static bool build(const struct shader_folder *folder, struct sb_glsl_source *source,
                   struct sb_error *err)
 {
@@ -17,6 +24,8 @@ static bool build(const struct shader_folder *folder, struct sb_glsl_source *sou
         .version = "300 es",
         .define = defines,
         .define_count = 3,
+        .given = given,
+        .given_count = sizeof given / sizeof *given,
     };
     return sb_glsl_build(&params, source, err);
 }
@@ -59,6 +68,23 @@ static void version_and_defines_come_first(void **state)
     folder_free(&folder);
 }
 
+struct from { // where a line is from
+    const char *file;
+    int line;
+};
+
+// The lines behind the head.
+static void check_lines(const struct sb_glsl_source *source, const struct from *expected,
+                        int count)
+{
+    assert_int_equal(source->line_count, 4 + count);
+    for (int i = 0; i < count; i++) {
+        const struct sb_glsl_line from = source->line[4 + i];
+        assert_string_equal(source->file_name[from.file], expected[i].file);
+        assert_int_equal(from.line, expected[i].line);
+    }
+}
+
 static void includes_are_replaced_once_and_lines_are_mapped(void **state)
 {
     (void)state;
@@ -76,19 +102,48 @@ static void includes_are_replaced_once_and_lines_are_mapped(void **state)
     assert_true(build(&folder, &source, NULL));
     assert_string_equal(source.text + strlen(head), "a\nu\nv\nl\nb\nc\n");
 
-    static const struct {
-        const char *file;
-        int line;
-    } expected[] = {{"main.vert", 1},       {"unit.glsl", 1}, {"unit.glsl", 2},
-                    {"law/linear.glsl", 2}, {"main.vert", 3}, {"main.vert", 5}};
-    assert_int_equal(source.line_count, 4 + 6);
-    for (int i = 0; i < 6; i++) {
-        const struct sb_glsl_line from = source.line[4 + i];
-        assert_string_equal(source.file_name[from.file], expected[i].file);
-        assert_int_equal(from.line, expected[i].line);
-    }
+    static const struct from expected[] = {{"main.vert", 1}, {"unit.glsl", 1},
+                                           {"unit.glsl", 2}, {"law/linear.glsl", 2},
+                                           {"main.vert", 3}, {"main.vert", 5}};
+    check_lines(&source, expected, 6);
     sb_glsl_free(&source);
     folder_free(&folder);
+}
+
+static void a_given_text_stands_in_for_a_file(void **state)
+{
+    (void)state;
+    struct shader_folder folder;
+    folder_make(&folder);
+    folder_write(&folder, "main.vert",
+                 "a\n"
+                 "#include \"made/lights.glsl\"\n"
+                 "#include \"made/empty.glsl\"\n"
+                 "#include \"made/lights.glsl\"\n"
+                 "b\n");
+    folder_write(&folder, "unit.glsl", "u\n");
+    folder_write(&folder, "made/lights.glsl", "not this one\n");
+    struct sb_glsl_source source = {0};
+    assert_true(build(&folder, &source, NULL));
+    assert_string_equal(source.text + strlen(head), "a\np\nu\nq\nb\n");
+    static const struct from expected[] = {{"main.vert", 1},
+                                           {"made/lights.glsl", 1},
+                                           {"unit.glsl", 1},
+                                           {"made/lights.glsl", 3},
+                                           {"main.vert", 5}};
+    check_lines(&source, expected, 5);
+    sb_glsl_free(&source);
+    folder_free(&folder);
+}
+
+static void an_error_in_a_given_text_names_it(void **state)
+{
+    (void)state;
+    check_error("#include \"made/wrong.glsl\"\n", "made/wrong.glsl:2: ");
+    check_error("#include \"made/round.glsl\"\n",
+                "made/round.glsl:1: files include each other: made/round.glsl -> "
+                "made/round.glsl");
+    check_error("#include \"made/none.glsl\"\n", "made/none.glsl: No such file");
 }
 
 static void equal_texts_have_equal_hashes_and_others_not(void **state)
@@ -212,6 +267,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(version_and_defines_come_first),
         cmocka_unit_test(includes_are_replaced_once_and_lines_are_mapped),
+        cmocka_unit_test(a_given_text_stands_in_for_a_file),
+        cmocka_unit_test(an_error_in_a_given_text_names_it),
         cmocka_unit_test(equal_texts_have_equal_hashes_and_others_not),
         cmocka_unit_test(an_include_that_is_none_is_left_alone),
         cmocka_unit_test(a_wrong_include_is_refused_where_it_stands),

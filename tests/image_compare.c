@@ -51,6 +51,8 @@ static void equal_images_do_not_differ(void **state)
     check_close(difference.max, 0, 0);
     assert_int_equal(difference.pixels, 0);
     assert_int_equal(difference.x + difference.y + difference.channel, 0);
+    check_close(difference.a, 0, 0);
+    check_close(difference.b, 0, 0);
 }
 
 static void the_largest_difference_is_found_with_its_place(void **state)
@@ -67,6 +69,8 @@ static void the_largest_difference_is_found_with_its_place(void **state)
     assert_int_equal(difference.y, 2);
     assert_int_equal(difference.channel, 1);
     assert_int_equal(difference.pixels, 3);
+    check_close(difference.a, (2 * 4 + 3) * 3 + 1, 0);
+    check_close(difference.b, (2 * 4 + 3) * 3 + 1 - 2, 0);
 }
 
 static void differences_do_not_overflow(void **state)

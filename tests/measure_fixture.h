@@ -31,17 +31,15 @@ static inline void *open_with_script(const struct sb_context_params *params,
     return runner;
 }
 
-static inline void fixture_begin_axis(struct fixture *fixture, const char *axis,
-                                      const char *sweep, const char *const *settings,
-                                      int setting_count)
+static inline void fixture_begin_suite(struct fixture *fixture,
+                                       const struct sb_suite_params *params,
+                                       const char *const *settings, int setting_count)
 {
     *fixture = (struct fixture){0};
     sb_log_set_level(SB_LOG_QUIET);
     snprintf(fixture->dir, sizeof fixture->dir, "/tmp/shadebench-run-XXXXXX");
     assert_non_null(mkdtemp(fixture->dir));
-    const struct sb_assignment assignment = {axis, sweep, "--sweep"};
-    const struct sb_suite_params params = {.sweep = &assignment, .sweep_count = 1};
-    if (!sb_suite_load(&params, &fixture->suite, &fixture->err))
+    if (!sb_suite_load(params, &fixture->suite, &fixture->err))
         fail_msg("%s", fixture->err.text);
     // The null runner takes no time, so no look may wait for any.
     assert_true(sb_measure_set(&fixture->suite.measure, "span", "0", &fixture->err));
@@ -50,13 +48,22 @@ static inline void fixture_begin_axis(struct fixture *fixture, const char *axis,
                                    &fixture->err));
 }
 
+static inline void fixture_begin_axis(struct fixture *fixture, const char *axis,
+                                      const char *sweep, const char *const *settings,
+                                      int setting_count)
+{
+    const struct sb_assignment assignment = {axis, sweep, "--sweep"};
+    const struct sb_suite_params params = {.sweep = &assignment, .sweep_count = 1};
+    fixture_begin_suite(fixture, &params, settings, setting_count);
+}
+
 static inline void fixture_begin(struct fixture *fixture, const char *points,
                                  const char *const *settings, int setting_count)
 {
     fixture_begin_axis(fixture, "point", points, settings, setting_count);
 }
 
-static inline bool fixture_run(struct fixture *fixture, bool append)
+static inline bool fixture_run_with(struct fixture *fixture, bool append, bool images)
 {
     static struct sb_runner_fns runner;
     runner = sb_runner_null;
@@ -68,12 +75,18 @@ static inline bool fixture_run(struct fixture *fixture, bool append)
         .data_dir = SB_SOURCE_DIR,
         .dir = fixture->dir,
         .append = append,
+        .images = images,
         .arguments = arguments,
     };
     sb_run_result_free(&fixture->result);
     const bool good = sb_run(&params, &fixture->result, &fixture->err);
     json_decref(arguments);
     return good;
+}
+
+static inline bool fixture_run(struct fixture *fixture, bool append)
+{
+    return fixture_run_with(fixture, append, false);
 }
 
 static inline void fixture_end(struct fixture *fixture)

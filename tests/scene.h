@@ -15,7 +15,16 @@ static inline struct sb_variant scene_variant(int dirs, int points, int spots)
     v.value[SB_AXIS_WIDTH] = 256;
     v.value[SB_AXIS_HEIGHT] = 256;
     v.value[SB_AXIS_SCALE] = 1;
+    v.value[SB_AXIS_SUN] = -91; // the scene's own
     return v;
+}
+
+// Light number i of a type.
+static inline const struct sb_light *light_of(const struct sb_scene *scene,
+                                              enum sb_light_type type, int i)
+{
+    int count;
+    return sb_lights_of(&scene->lights, type, &count) + i;
 }
 
 static inline struct sb_scene made(const char *name, const struct sb_variant *variant)

@@ -27,12 +27,21 @@ static void every_axis_that_scenes_read_changes_the_hash(void **state)
         int axis;
         double value;
     } change[] = {
-        {SB_AXIS_DIR, 2},     {SB_AXIS_POINT, 3},    {SB_AXIS_SPOT, 4},
-        {SB_AXIS_OFFSET, 10}, {SB_AXIS_SCALE, 2},    {SB_AXIS_TESSELLATION, 700},
-        {SB_AXIS_WIDTH, 512}, {SB_AXIS_HEIGHT, 300},
+        {SB_AXIS_DIR, 2},
+        {SB_AXIS_POINT, 3},
+        {SB_AXIS_SPOT, 4},
+        {SB_AXIS_AREA, 5},
+        {SB_AXIS_OFFSET, 10},
+        {SB_AXIS_SCALE, 2},
+        {SB_AXIS_TESSELLATION, 700},
+        {SB_AXIS_WIDTH, 512},
+        {SB_AXIS_HEIGHT, 300},
+        {SB_AXIS_SUN, 30},
+        {SB_AXIS_ATMOSPHERE, SB_ATMOSPHERE_HORROR},
+        {SB_AXIS_LAMPS, SB_LAMPS_ON},
     };
     enum { CHANGES = sizeof change / sizeof *change };
-    uint64_t hash[64];
+    uint64_t hash[256];
     int count = 0;
     for (int i = 0; i < sb_scene_row_count; i++) {
         const char *name = sb_scene_rows[i].name;
@@ -53,12 +62,14 @@ static void every_axis_that_scenes_read_changes_the_hash(void **state)
 static void the_hash_sees_every_light_map_and_index(void **state)
 {
     (void)state;
-    const struct sb_variant variant = scene_variant(2, 2, 2);
+    struct sb_variant variant = scene_variant(2, 2, 2);
+    variant.value[SB_AXIS_AREA] = 2;
     struct sb_scene scene = made("containers", &variant);
     float *const number[] = {
-        (float *)&scene.lights.dir[1].specular[2],
-        (float *)&scene.lights.point[1].quadratic,
-        (float *)&scene.lights.spot[1].cone_offset,
+        (float *)&light_of(&scene, SB_LIGHT_DIR, 1)->specular[2],
+        (float *)&light_of(&scene, SB_LIGHT_POINT, 1)->quadratic,
+        (float *)&light_of(&scene, SB_LIGHT_SPOT, 1)->cone_offset,
+        (float *)&light_of(&scene, SB_LIGHT_AREA, 1)->extent[2],
         (float *)&scene.material[0].shininess,
         (float *)&scene.draw[9].normal_matrix[8],
         (float *)&scene.mesh[0].vertex[scene.mesh[0].vertex_count - 1].tangent[3],
@@ -90,20 +101,22 @@ static void the_hash_sees_every_light_map_and_index(void **state)
 static void shorter_lists_of_lights_are_beginnings_of_longer_ones(void **state)
 {
     (void)state;
-    const struct sb_variant most = scene_variant(256, 256, 256);
+    struct sb_variant most = scene_variant(256, 256, 256);
+    most.value[SB_AXIS_AREA] = 256;
     for (int i = 0; i < sb_scene_row_count; i++) {
         struct sb_scene all = made(sb_scene_rows[i].name, &most);
         for (int n = 0; n <= 256; n = 3 * n + 1) {
             // The other types' counts must not matter.
-            const struct sb_variant variant = scene_variant(n, 256 - n, (n + 128) % 257);
+            struct sb_variant variant = scene_variant(n, 256 - n, (n + 128) % 257);
+            variant.value[SB_AXIS_AREA] = (n + 64) % 257;
             struct sb_scene some = made(sb_scene_rows[i].name, &variant);
             for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++) {
                 int count, all_count;
-                const void *light = sb_lights_of(&some.lights, type, &count);
-                const void *all_light = sb_lights_of(&all.lights, type, &all_count);
-                assert_int_equal(count, variant.value[sb_light_types[type].axis]);
-                assert_memory_equal(light, all_light,
-                                    (size_t)count * sb_light_types[type].size);
+                const struct sb_light *light = sb_lights_of(&some.lights, type, &count);
+                const struct sb_light *all_light =
+                    sb_lights_of(&all.lights, type, &all_count);
+                assert_int_equal(count, variant.value[sb_light_structs[type].axis]);
+                assert_memory_equal(light, all_light, (size_t)count * sizeof *light);
             }
             sb_scene_free(&some);
         }
@@ -114,18 +127,49 @@ static void shorter_lists_of_lights_are_beginnings_of_longer_ones(void **state)
 static void no_two_lights_stand_at_or_come_from_the_same_place(void **state)
 {
     (void)state;
-    const struct sb_variant most = scene_variant(256, 256, 256);
+    struct sb_variant most = scene_variant(256, 256, 256);
+    most.value[SB_AXIS_AREA] = 256;
     for (int i = 0; i < sb_scene_row_count; i++) {
         struct sb_scene scene = made(sb_scene_rows[i].name, &most);
         for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++) {
             int count;
-            const char *light = sb_lights_of(&scene.lights, type, &count);
-            const size_t size = sb_light_types[type].size;
+            const struct sb_light *light = sb_lights_of(&scene.lights, type, &count);
             for (int a = 0; a < count; a++) {
-                for (int b = 0; b < a; b++) // position or direction comes first
-                    assert_true(memcmp(light + (size_t)a * size, light + (size_t)b * size,
+                for (int b = 0; b < a; b++) {
+                    const bool dir = type == SB_LIGHT_DIR;
+                    assert_true(memcmp(dir ? light[a].direction : light[a].position,
+                                       dir ? light[b].direction : light[b].position,
                                        3 * sizeof(float)) != 0);
+                }
             }
+        }
+        sb_scene_free(&scene);
+    }
+}
+
+// Which `attenuation=radius` and `windowed` divide by, and shadows are measured in.
+static void every_light_that_has_a_place_has_a_reach_and_is_on(void **state)
+{
+    (void)state;
+    struct sb_variant most = scene_variant(256, 256, 256);
+    most.value[SB_AXIS_AREA] = 256;
+    for (int i = 0; i < sb_scene_row_count; i++) {
+        struct sb_scene scene = made(sb_scene_rows[i].name, &most);
+        for (int k = 0; k < sb_lights_total(&scene.lights); k++) {
+            const struct sb_light *light = &scene.lights.light[k];
+            check_close(light->intensity, 1, 0);
+            check_close(light->w, k < 256 ? 0 : 1, 0);
+            assert_true(k < 256 ? light->range == 0 : light->range > 0);
+        }
+        for (int k = 0; k < 256; k++) {
+            const struct sb_light *light = light_of(&scene, SB_LIGHT_AREA, k);
+            double square = 0;
+            for (int c = 0; c < 3; c++) {
+                assert_true(light->extent[c] >= 0.1f);
+                square += (double)light->direction[c] * light->direction[c];
+            }
+            assert_in_range(100 * sqrt(square), 50, 60);
+            check_close(light->radius, 0.3, 1e-6);
         }
         sb_scene_free(&scene);
     }
@@ -136,7 +180,7 @@ static void neighbours_differ_in_hue_and_no_light_lacks_a_colour(void **state)
     (void)state;
     const struct sb_variant most = scene_variant(0, 256, 0);
     struct sb_scene scene = made("sphere", &most);
-    const struct sb_point_light *point = scene.lights.point;
+    const struct sb_light *point = light_of(&scene, SB_LIGHT_POINT, 0);
     for (int i = 0; i < 256; i++) {
         const float *c = point[i].diffuse, *next = point[(i + 1) % 256].diffuse;
         const float brightest = fmaxf(c[0], fmaxf(c[1], c[2]));
@@ -159,7 +203,7 @@ static void containers_have_the_lights_of_the_text(void **state)
     static const float at[4][3] = {
         {0.7f, 0.2f, 2}, {2.3f, -3.3f, -4}, {-4, 2, -12}, {0, 0, -3}};
     for (int i = 0; i < 4; i++) {
-        const struct sb_point_light *light = &scene.lights.point[i];
+        const struct sb_light *light = light_of(&scene, SB_LIGHT_POINT, i);
         for (int k = 0; k < 3; k++) {
             check_close(light->position[k], at[i][k], 0);
             check_close(light->ambient[k], 0.05f, 0);
@@ -170,10 +214,11 @@ static void containers_have_the_lights_of_the_text(void **state)
         check_close(light->linear, 0.09f, 0);
         check_close(light->quadratic, 0.032f, 0);
     }
-    check_close(scene.lights.dir[0].direction[0], -0.2f, 0);
-    check_close(scene.lights.dir[0].direction[1], -1, 0);
-    check_close(scene.lights.dir[0].direction[2], -0.3f, 0);
-    const struct sb_spot_light *torch = &scene.lights.spot[0];
+    const struct sb_light *sun = light_of(&scene, SB_LIGHT_DIR, 0);
+    check_close(sun->direction[0], -0.2f, 0);
+    check_close(sun->direction[1], -1, 0);
+    check_close(sun->direction[2], -0.3f, 0);
+    const struct sb_light *torch = light_of(&scene, SB_LIGHT_SPOT, 0);
     assert_memory_equal(torch->position, scene.camera.eye, sizeof torch->position);
     check_close(torch->direction[2], -1, 0);
     check_close(torch->cos_cutoff, cos(15 * SB_PI / 180), 1e-7);
@@ -203,6 +248,22 @@ static void triangles_are_as_near_as_meshes_allow(void **state)
         sb_scene_free(&containers);
         sb_scene_free(&sphere);
         sb_scene_free(&plane);
+    }
+}
+
+// Scenes of several meshes share the triangles out, each mesh in its own steps.
+static void scenes_of_many_meshes_come_near_what_is_asked_for(void **state)
+{
+    (void)state;
+    static const char *const name[] = {"tunnel", "blocks", "spheres", "room"};
+    for (size_t i = 0; i < sizeof name / sizeof *name; i++) {
+        for (double wanted = 1000; wanted < 1e6; wanted *= 1.7) {
+            struct sb_variant variant = scene_variant(0, 0, 0);
+            variant.value[SB_AXIS_TESSELLATION] = wanted;
+            struct sb_scene scene = made(name[i], &variant);
+            check_close((double)sb_scene_triangles(&scene) / wanted, 1, 0.1);
+            sb_scene_free(&scene);
+        }
     }
 }
 
@@ -278,25 +339,36 @@ static void scale_and_offset_move_the_world_but_not_the_picture(void **state)
     // Powers of two, so that floats round alike.
     const double scale = 4, offset = 16;
     struct sb_variant variant = scene_variant(2, 6, 4);
+    variant.value[SB_AXIS_AREA] = 3;
+    variant.value[SB_AXIS_LAMPS] = SB_LAMPS_ON;
     struct sb_variant moved = variant;
     moved.value[SB_AXIS_SCALE] = scale;
     moved.value[SB_AXIS_OFFSET] = offset;
     for (int i = 0; i < sb_scene_row_count; i++) {
         struct sb_scene a = made(sb_scene_rows[i].name, &variant);
         struct sb_scene b = made(sb_scene_rows[i].name, &moved);
+        const struct sb_light *a_area = light_of(&a, SB_LIGHT_AREA, 2);
+        const struct sb_light *b_area = light_of(&b, SB_LIGHT_AREA, 2);
         for (int k = 0; k < 3; k++) {
             check_close(b.camera.eye[k], a.camera.eye[k] * scale + offset, 1e-5);
-            check_close(b.lights.point[5].position[k],
-                        a.lights.point[5].position[k] * scale + offset, 1e-5);
-            check_close(b.lights.spot[3].position[k],
-                        a.lights.spot[3].position[k] * scale + offset, 1e-5);
+            check_close(b_area->extent[k], a_area->extent[k] * scale, 1e-6);
+            check_close(b_area->direction[k], a_area->direction[k] * scale, 1e-6);
         }
-        assert_memory_equal(a.lights.dir, b.lights.dir, 2 * sizeof *a.lights.dir);
-        check_close(b.lights.point[5].range, a.lights.point[5].range * scale, 0);
-        check_close(b.lights.point[5].quadratic, a.lights.point[5].quadratic, 0);
+        for (int k = 2; k < sb_lights_total(&a.lights); k++) {
+            const struct sb_light *la = &a.lights.light[k], *lb = &b.lights.light[k];
+            for (int c = 0; c < 3; c++)
+                check_close(lb->position[c], la->position[c] * scale + offset, 1e-5);
+            check_close(lb->range, la->range * scale, 0);
+            check_close(lb->quadratic, la->quadratic, 0);
+        }
+        assert_memory_equal(a.lights.light, b.lights.light, 2 * sizeof *a.lights.light);
+        check_close(b_area->radius, a_area->radius * scale, 1e-6);
         for (int d = 0; d < a.draw_count; d++) {
             double w_a, w_b;
+            assert_int_equal(b.draw[d].lamp, a.draw[d].lamp);
             const struct sb_vec3 at = project(&a, a.draw[d].model + 12, &w_a);
+            if (w_a < 0.1) // beside the eye, or behind it
+                continue;
             const struct sb_vec3 at_b = project(&b, b.draw[d].model + 12, &w_b);
             check_close(w_b, scale * w_a, 1e-4);
             check_close(at_b.x, at.x, 1e-5);
@@ -321,6 +393,8 @@ static void the_limits_of_the_axes_still_make_valid_scenes(void **state)
     for (int i = 0; i < sb_scene_row_count; i++) {
         for (size_t k = 0; k < sizeof limit / sizeof *limit; k++) {
             struct sb_variant variant = scene_variant(256, 256, 256);
+            variant.value[SB_AXIS_AREA] = 256;
+            variant.value[SB_AXIS_LAMPS] = SB_LAMPS_ON;
             variant.value[SB_AXIS_SCALE] = limit[k][0];
             variant.value[SB_AXIS_OFFSET] = limit[k][1];
             variant.value[SB_AXIS_WIDTH] = limit[k][2];
@@ -377,7 +451,7 @@ static void an_unknown_scene_is_answered_with_the_known_ones(void **state)
     assert_false(sb_scene_make("teapot", &variant, &scene, &err));
     assert_int_equal(err.status, SB_BAD_INPUT);
     check_contains(err.text, "teapot");
-    check_contains(err.text, "containers sphere plane");
+    check_contains(err.text, "containers sphere plane tunnel blocks spheres room");
     sb_scene_free(&scene);
 }
 
@@ -401,9 +475,11 @@ int main(void)
         cmocka_unit_test(the_hash_sees_every_light_map_and_index),
         cmocka_unit_test(shorter_lists_of_lights_are_beginnings_of_longer_ones),
         cmocka_unit_test(no_two_lights_stand_at_or_come_from_the_same_place),
+        cmocka_unit_test(every_light_that_has_a_place_has_a_reach_and_is_on),
         cmocka_unit_test(neighbours_differ_in_hue_and_no_light_lacks_a_colour),
         cmocka_unit_test(containers_have_the_lights_of_the_text),
         cmocka_unit_test(triangles_are_as_near_as_meshes_allow),
+        cmocka_unit_test(scenes_of_many_meshes_come_near_what_is_asked_for),
         cmocka_unit_test(view_projection_is_projection_times_view),
         cmocka_unit_test(every_shape_of_target_shows_what_a_square_one_shows),
         cmocka_unit_test(the_sphere_covers_four_fifths_of_the_height),

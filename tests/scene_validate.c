@@ -3,9 +3,7 @@
 // A scene whose floats a test may write to.
 struct writable {
     struct sb_scene scene;
-    struct sb_dir_light *dir;
-    struct sb_point_light *point;
-    struct sb_spot_light *spot;
+    struct sb_light *dir, *point, *spot, *area;
     struct sb_draw *draw;
     struct sb_material *material;
     struct sb_vertex *vertex;
@@ -14,11 +12,13 @@ struct writable {
 
 static struct writable containers(void)
 {
-    const struct sb_variant variant = scene_variant(1, 5, 3);
+    struct sb_variant variant = scene_variant(1, 5, 3);
+    variant.value[SB_AXIS_AREA] = 2;
     struct writable w = {.scene = made("containers", &variant)};
-    w.dir = (struct sb_dir_light *)w.scene.lights.dir;
-    w.point = (struct sb_point_light *)w.scene.lights.point;
-    w.spot = (struct sb_spot_light *)w.scene.lights.spot;
+    w.dir = (struct sb_light *)light_of(&w.scene, SB_LIGHT_DIR, 0);
+    w.point = (struct sb_light *)light_of(&w.scene, SB_LIGHT_POINT, 0);
+    w.spot = (struct sb_light *)light_of(&w.scene, SB_LIGHT_SPOT, 0);
+    w.area = (struct sb_light *)light_of(&w.scene, SB_LIGHT_AREA, 0);
     w.draw = (struct sb_draw *)w.scene.draw;
     w.material = (struct sb_material *)w.scene.material;
     w.vertex = (struct sb_vertex *)w.scene.mesh[0].vertex;
@@ -54,6 +54,23 @@ static void a_bad_light_is_named_with_field_component_value_and_range(void **sta
     check_value(spot[2].position[0], -INFINITY,
                 "spot light 2: position[0] is -inf; valid");
     check_value(point[0].quadratic, -1, "point light 0: quadratic is -1; valid");
+    check_value(area[1].radius, -0.25f, "area light 1: radius is -0.25; valid");
+    check_value(area[0].extent[2], INFINITY, "area light 0: extent[2] is inf; valid");
+    check_value(area[1].direction[1], NAN, "area light 1: direction[1] is nan; valid");
+    check_value(dir[0].intensity, -1, "directional light 0: intensity is -1; valid");
+}
+
+static void half_angles_lie_between_nothing_and_everything(void **state)
+{
+    (void)state;
+    check_value(spot[1].cutoff, -0.125f,
+                "spot light 1: cutoff is -0.125; valid: 0 or more, at most pi");
+    check_value(spot[0].inner, 3.25f, "spot light 0: inner is 3.25; valid");
+    struct writable w = containers();
+    w.spot[0].inner = 0;
+    w.spot[0].cutoff = (float)acos(-1);
+    assert_true(sb_scene_validate(&w.scene, NULL));
+    sb_scene_free(&w.scene);
 }
 
 static void a_cut_off_must_leave_a_cone_and_something_outside_it(void **state)
@@ -81,6 +98,10 @@ static void attenuation_that_divides_by_zero_is_refused(void **state)
     check_refused(&w, "spot light 0: constant, linear and quadratic are all 0");
 
     w = containers();
+    w.area[1].constant = w.area[1].linear = w.area[1].quadratic = 0;
+    check_refused(&w, "area light 1: constant, linear and quadratic are all 0");
+
+    w = containers();
     w.point[4].constant = w.point[4].linear = 0; // infinite only at the light itself
     assert_true(sb_scene_validate(&w.scene, NULL));
     sb_scene_free(&w.scene);
@@ -95,6 +116,11 @@ static void a_direction_must_point_somewhere(void **state)
     w = containers();
     memset(w.spot[2].direction, 0, sizeof w.spot[2].direction);
     check_refused(&w, "spot light 2: direction is 0, 0, 0");
+
+    w = containers(); // a segment without length is a point
+    memset(w.area[1].direction, 0, sizeof w.area[1].direction);
+    assert_true(sb_scene_validate(&w.scene, NULL));
+    sb_scene_free(&w.scene);
 }
 
 static void materials_draws_vertices_and_camera_are_checked_too(void **state)
@@ -118,8 +144,8 @@ static void indices_and_numbers_stay_within_their_lists(void **state)
     check_refused(&w, "mesh 0: index[4] is 150; valid: less than 150");
     check_value(draw[3].mesh, 1, "draw 3: mesh is 1; valid: 0 or more, less than 1");
     check_value(draw[3].material, -1, "draw 3: material is -1; valid");
-    check_value(scene.lights.point_count, -1, "-1 in the list of point lights");
-    check_value(scene.lights.spot, NULL, "3 in the list of spot lights");
+    check_value(scene.lights.count[SB_LIGHT_POINT], -1, "-1 in the list of point lights");
+    check_value(scene.lights.light, NULL, "1 in the list of directional lights");
     check_value(scene.map[SB_MAP_SPECULAR].width, 0, "map 1: 0 x 256 texels");
 }
 
@@ -128,6 +154,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_bad_light_is_named_with_field_component_value_and_range),
         cmocka_unit_test(a_cut_off_must_leave_a_cone_and_something_outside_it),
+        cmocka_unit_test(half_angles_lie_between_nothing_and_everything),
         cmocka_unit_test(attenuation_that_divides_by_zero_is_refused),
         cmocka_unit_test(a_direction_must_point_somewhere),
         cmocka_unit_test(materials_draws_vertices_and_camera_are_checked_too),

@@ -10,7 +10,7 @@
 
 struct shader_folder {
     char root[64];
-    char *name[64]; // what was made, parents before children
+    char *name[160]; // what was made, parents before children
     int count;
     struct sb_arena arena;
 };
@@ -26,7 +26,7 @@ static inline void folder_keep(struct shader_folder *folder, char *path)
     for (int i = 0; i < folder->count; i++)
         if (!strcmp(folder->name[i], path))
             return;
-    assert_in_range(folder->count, 0, 63);
+    assert_in_range(folder->count, 0, 159);
     folder->name[folder->count++] = path;
 }
 

@@ -184,8 +184,8 @@ static void wrong_axes_and_values_are_refused_where_they_stand(void **state)
               "point: is there already; an axis stands once, in sweep or in cross");
     must_fail("suite: x\nexclude:\n  - point>1\n  - point=>1\n", ":4:5",
               "is not a number");
-    must_fail("suite: x\nsweep:\n  cone: [hard, exponent]\n", ":3:16",
-              "cone=exponent: not implemented yet; implemented: hard linear smooth");
+    must_fail("suite: x\nsweep:\n  emulate: [none, fp16]\n", ":3:19",
+              "emulate=fp16: not implemented yet; implemented: none");
     assert_int_equal(err.status, SB_NOT_IMPLEMENTED);
 }
 
@@ -318,14 +318,16 @@ static void a_suites_keys_go_over_those_of_its_preset(void **state)
                           "target: 128x128\nmeasure: {budget: 5}\nsweep: {dir: 0..3}\n"
                           "exclude: dir=1\n",
                           (struct sb_suite_params){.data_dir = folder}));
-    must_be("sphere:dir=0,point=3,width=128,height=128,stage=fragment,leaf=b",
-            "sphere:dir=3,point=3,width=128,height=128,stage=fragment,leaf=b");
+    must_be("sphere:elm,dir=0,width=128,height=128,stage=fragment,leaf=b",
+            "sphere:elm,dir=3,width=128,height=128,stage=fragment,leaf=b");
+    check_close(suite.entry[0].variant.value[SB_AXIS_POINT], 3, 0);
     assert_string_equal(suite.name, "x");
     check_close(suite.measure.rounds, 7, 0);
     check_close(suite.measure.budget, 5, 0);
     assert_true(load_with("suite: x\npreset: elm\nscene: plane\n",
                           (struct sb_suite_params){.data_dir = folder}));
-    must_be("plane:point=3,width=64,height=32,stage=vertex");
+    must_be("plane:elm");
+    check_close(suite.entry[0].variant.value[SB_AXIS_HEIGHT], 32, 0);
 }
 
 static void a_preset_runs_alone_and_the_command_line_names_it_last(void **state)
@@ -336,11 +338,12 @@ static void a_preset_runs_alone_and_the_command_line_names_it_last(void **state)
     sb_suite_free(&suite);
     assert_true(sb_suite_load(
         &(struct sb_suite_params){.preset = "oak", .data_dir = folder}, &suite, &err));
-    must_be("spot=1");
+    must_be("oak");
+    check_close(suite.entry[0].variant.value[SB_AXIS_SPOT], 1, 0);
     assert_string_equal(suite.name, "oak");
     assert_true(load_with("suite: x\npreset: elm\n",
                           (struct sb_suite_params){.preset = "oak", .data_dir = folder}));
-    must_be("spot=1");
+    must_be("oak");
 }
 
 static void an_unknown_preset_is_answered_with_the_known(void **state)
@@ -357,13 +360,14 @@ static void an_unknown_preset_is_answered_with_the_known(void **state)
     check_contains(err.text, "no data folder");
 }
 
-static void a_preset_has_no_sweep_cross_or_preset(void **state)
+static void a_preset_has_no_sweep_cross_parts_or_preset(void **state)
 {
     (void)state;
-    static const char *const texts[] = {"suite: oak\nsweep: {dir: 1}\n",
-                                        "suite: oak\ncross: {dir: 1}\n",
-                                        "suite: oak\npreset: elm\n"};
-    for (int i = 0; i < 3; i++) {
+    static const char *const texts[] = {
+        "suite: oak\nsweep: {dir: 1}\n", "suite: oak\ncross: {dir: 1}\n",
+        "suite: oak\npreset: elm\n", "suite: oak\npreset: [elm]\n",
+        "suite: oak\nparts: [{base: {dir: 1}}]\n"};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
         write_preset("oak", texts[i]);
         assert_false(load_with("suite: x\npreset: oak\n",
                                (struct sb_suite_params){.data_dir = folder}));
@@ -407,7 +411,7 @@ int main(void)
         PRESET_TEST(a_suites_keys_go_over_those_of_its_preset),
         PRESET_TEST(a_preset_runs_alone_and_the_command_line_names_it_last),
         PRESET_TEST(an_unknown_preset_is_answered_with_the_known),
-        PRESET_TEST(a_preset_has_no_sweep_cross_or_preset),
+        PRESET_TEST(a_preset_has_no_sweep_cross_parts_or_preset),
         TEST(a_failure_may_go_unread),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);

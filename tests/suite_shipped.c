@@ -100,6 +100,54 @@ static void precision_lowers_each_term_alone(void **state)
         assert_int_equal(alone[axis], 1);
 }
 
+static bool has_mate(int entry)
+{
+    for (int i = 0; i < suite.entry_count; i++)
+        if (i != entry && strcmp(suite.entry[i].scene, suite.entry[entry].scene) == 0 &&
+            sb_variant_same_class(&suite.axes, &suite.entry[i].variant,
+                                  &suite.entry[entry].variant))
+            return true;
+    return false;
+}
+
+static void classes_draws_every_implementation_and_none_alone(void **state)
+{
+    (void)state;
+    load_shipped("classes.yaml");
+    assert_in_range(suite.entry_count, 150, 220); // half a minute on two cores
+    for (int i = 0; i < suite.entry_count; i++)
+        if (!has_mate(i))
+            fail_msg("%s is alone in its class", suite.entry[i].id);
+    for (int a = 0; a < suite.axes.count; a++) {
+        const struct sb_axis *axis = &suite.axes.row[a];
+        for (int v = 0; axis->kind == SB_IMPLEMENTATION && v < axis->value_count; v++) {
+            int count = 0;
+            for (int i = 0; i < suite.entry_count; i++)
+                count += suite.entry[i].variant.value[a] == v;
+            if (count == 0 && !(axis->values[v].flags & SB_TODO))
+                fail_msg("%s=%s is never drawn", axis->name, axis->values[v].name);
+        }
+    }
+}
+
+static void classes_has_every_axis_on_every_scene_that_is_lit_alike(void **state)
+{
+    (void)state;
+    static const char *const scenes[] = {"containers", "tunnel", "blocks",
+                                         "spheres",    "room",   "sphere"};
+    load_shipped("classes.yaml");
+    for (size_t s = 0; s < sizeof scenes / sizeof *scenes; s++)
+        for (int a = SB_AXIS_LAYOUT; a <= SB_AXIS_GUARD; a++) {
+            const double init = suite.axes.row[a].init;
+            int varied = 0;
+            for (int i = 0; i < suite.entry_count; i++)
+                varied += strcmp(suite.entry[i].scene, scenes[s]) == 0 &&
+                          suite.entry[i].variant.value[a] != init;
+            if (varied == 0 && a != SB_AXIS_CAPACITY)
+                fail_msg("%s is never varied on %s", suite.axes.row[a].name, scenes[s]);
+        }
+}
+
 int main(void)
 {
 #define TEST(name) cmocka_unit_test_teardown(name, free_suite)
@@ -109,6 +157,8 @@ int main(void)
         TEST(mix_is_always_eight_lights),
         TEST(softpipe_stays_small_enough_for_an_interpreter),
         TEST(precision_lowers_each_term_alone),
+        TEST(classes_draws_every_implementation_and_none_alone),
+        TEST(classes_has_every_axis_on_every_scene_that_is_lit_alike),
     };
     return run_tests(tests);
 }

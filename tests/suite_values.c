@@ -74,6 +74,24 @@ static void decimal_steps_give_the_numbers_that_a_list_would(void **state)
           0.66666666666668, 1);
 }
 
+// Steps that cross 0 are the hard ones: -90 + 82 * 1.1 in doubles is 0.20000000000001705.
+static void fractional_steps_add_up_no_error(void **state)
+{
+    (void)state;
+    gives(SB_AXIS_SUN, "-1..1 step 0.25", -1, -0.75, -0.5, -0.25, 0, 0.25, 0.5, 0.75, 1);
+    assert_true(read_text(SB_AXIS_SUN, "-90..360 step 1.1"));
+    assert_int_equal(values.count, 410); // 450 / 1.1 = 409.09
+    for (int i = 0; i < values.count; i++) {
+        const int tenths = -900 + 11 * i;
+        char decimal[32]; // what a list would hold, and strtod reads it to the last bit
+        snprintf(decimal, sizeof decimal, "%s%d.%d", tenths < 0 ? "-" : "",
+                 abs(tenths) / 10, abs(tenths) % 10);
+        if (values.value[i] != strtod(decimal, NULL))
+            fail_msg("value %d is %.17g, not %s", i, values.value[i], decimal);
+    }
+    gives(SB_AXIS_SUN, "-0.3..0.3 step 0.1", -0.3, -0.2, -0.1, 0, 0.1, 0.2, 0.3);
+}
+
 static void words_numbers_and_ranges_mix_with_commas(void **state)
 {
     (void)state;
@@ -142,6 +160,7 @@ int main(void)
         cmocka_unit_test(a_range_counts_up_to_its_end),
         cmocka_unit_test(a_range_multiplies_up_to_its_end),
         cmocka_unit_test(decimal_steps_give_the_numbers_that_a_list_would),
+        cmocka_unit_test(fractional_steps_add_up_no_error),
         cmocka_unit_test(words_numbers_and_ranges_mix_with_commas),
         cmocka_unit_test(blanks_around_the_parts_do_not_matter),
         cmocka_unit_test(ranges_that_never_end_or_never_start_are_refused),

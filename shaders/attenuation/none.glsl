@@ -1,5 +1,5 @@
 // attenuation=none: light reaches as far as it likes.
-P_ATTENUATION float attenuation(P_ATTENUATION float d, P_ATTENUATION vec3 k)
+P_ATTENUATION float attenuation(PointLight light, P_ATTENUATION float d)
 {
     return 1.0;
 }

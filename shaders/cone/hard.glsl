@@ -1,8 +1,15 @@
 // cone=hard: full inside the cut-off angle, nothing outside. Cosines are compared, not angles:
 // acos is NaN where rounding makes the cosine exceed 1.
-P_ATTENUATION float cone(SpotLight light, P_ATTENUATION vec3 from_light)
+P_ATTENUATION float cone_robust(SpotLight light, P_ATTENUATION vec3 from_light)
 {
-    P_ATTENUATION vec3 axis = light.direction;
-    P_ATTENUATION float cut_off = light.cos_cutoff;
-    return dot(from_light, axis) >= cut_off ? 1.0 : 0.0;
+    P_ATTENUATION float cos_a = dot(from_light, cone_axis(light));
+    P_ATTENUATION float edge = CONE_COS_CUTOFF(light);
+    return CUT(cos_a >= edge, 1.0);
+}
+
+P_ATTENUATION float cone_naive(SpotLight light, P_ATTENUATION vec3 from_light)
+{
+    P_ATTENUATION float cut_off = light.cutoff;
+    P_ATTENUATION float a = acos(dot(from_light, cone_axis(light)));
+    return CUT(a <= cut_off, 1.0);
 }

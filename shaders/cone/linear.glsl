@@ -5,13 +5,20 @@
 // without the subtraction: sin^2 a = |l x axis|^2 for unit vectors, and
 // 1 - cos a = sin^2 a / (1 + cos a). Behind the light (cones wider than 90 degrees) that
 // quotient is the one that fails, and the plain form is exact.
-P_ATTENUATION float cone(SpotLight light, P_ATTENUATION vec3 from_light)
+P_ATTENUATION float cone_robust(SpotLight light, P_ATTENUATION vec3 from_light)
 {
-    P_ATTENUATION vec3 axis = light.direction;
-    P_ATTENUATION float k = light.inv_one_minus_cos; // made in double, without cancellation
+    P_ATTENUATION vec3 axis = cone_axis(light);
     P_ATTENUATION float cos_a = dot(from_light, axis);
     P_ATTENUATION vec3 c = cross(from_light, axis);
     P_ATTENUATION float one_minus_cos =
         cos_a > 0.0 ? dot(c, c) / (1.0 + cos_a) : 1.0 - cos_a;
-    return max(1.0 - one_minus_cos * k, 0.0);
+    P_ATTENUATION float inverse = CONE_INV_ONE_MINUS_COS(light);
+    return max(1.0 - one_minus_cos * inverse, 0.0);
+}
+
+P_ATTENUATION float cone_naive(SpotLight light, P_ATTENUATION vec3 from_light)
+{
+    P_ATTENUATION float cos_a = dot(from_light, cone_axis(light));
+    P_ATTENUATION float edge = CONE_COS_CUTOFF(light);
+    return max(1.0 - (1.0 - cos_a) / (1.0 - edge), 0.0);
 }

@@ -1,22 +1,8 @@
 // Directional lights: parallel, not attenuated.
-#if NR_DIR_LIGHTS > 0
-
 Incident dir_incident(DirLight light)
 {
     P_VECTOR vec3 travels = light.direction;
-    return Incident(unit(-travels), 1.0, light.ambient, light.diffuse, light.specular);
+    P_VECTOR vec3 direction = unit(-travels);
+    return Incident(direction, direction, 1.0, 1.0, AMBIENT_OF(light), light.diffuse,
+                    SPECULAR_OF(light));
 }
-
-void add_dir_lights(Surface surface, inout Lit lit)
-{
-    for (int i = 0; i < NR_DIR_LIGHTS; i++)
-        add_light(surface, dir_incident(u_dir[i]), lit);
-}
-
-#else
-
-void add_dir_lights(Surface surface, inout Lit lit)
-{
-}
-
-#endif

@@ -5,8 +5,3 @@ P_SAMPLER vec3 diffuse_map(P_VARYING vec2 uv)
 {
     return TEXTURE(u_diffuse_map, uv).rgb;
 }
-
-P_SAMPLER vec3 specular_map(P_VARYING vec2 uv)
-{
-    return vec3(1.0);
-}

@@ -1,11 +1,6 @@
 // maps=specular.
 uniform SAMPLER2D u_specular_map;
 
-P_SAMPLER vec3 diffuse_map(P_VARYING vec2 uv)
-{
-    return vec3(1.0);
-}
-
 P_SAMPLER vec3 specular_map(P_VARYING vec2 uv)
 {
     return TEXTURE(u_specular_map, uv).rgb;

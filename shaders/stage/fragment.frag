@@ -1,11 +1,24 @@
 // stage=fragment: lit here.
 VARYING_IN P_VARYING vec3 v_position;
 VARYING_IN P_VARYING vec3 v_normal;
+IF_NORMAL_MAP(VARYING_IN P_VARYING vec3 v_tangent;)
+IF_NORMAL_MAP(VARYING_IN P_VARYING vec3 v_bitangent;)
 
-#include "lighting.glsl"
+#include "unit.glsl"
 #include "normalise/$(NORMALISE).glsl"
+#include "lighting.glsl"
+
+// The normal that the map gives in the frame of tangent, bitangent and normal.
+P_VECTOR vec3 mapped(P_VECTOR vec3 normal)
+{
+    IF_NORMAL_MAP(P_VECTOR vec3 bump = normal_map(v_uv);)
+    IF_NORMAL_MAP(P_VECTOR vec3 tangent = unit(v_tangent);)
+    IF_NORMAL_MAP(P_VECTOR vec3 bitangent = unit(v_bitangent);)
+    IF_NORMAL_MAP(normal = unit(mat3(tangent, bitangent, normal) * bump);)
+    return normal;
+}
 
 Shade shade_here()
 {
-    return shade_surface(v_position, surface_normal(v_normal));
+    return shade_surface(v_position, mapped(surface_normal(v_normal)));
 }

@@ -1,14 +1,14 @@
-// The lights in a uniform block, laid out as the C structs are. A block may not be empty.
-#if NR_DIR_LIGHTS + NR_POINT_LIGHTS + NR_SPOT_LIGHTS > 0
+// storage=ubo_std140: a block of lights whose layout the specification fixes (OpenGL 4.6 core,
+// 7.6.2.2). A block may not be empty.
+#define LIGHT_ARRAY(type, name, size) type name[size];
+#if MAX_LIGHTS > 0
 layout(std140) uniform Lights {
-#if NR_DIR_LIGHTS > 0
-    DirLight u_dir[NR_DIR_LIGHTS];
-#endif
-#if NR_POINT_LIGHTS > 0
-    PointLight u_point[NR_POINT_LIGHTS];
-#endif
-#if NR_SPOT_LIGHTS > 0
-    SpotLight u_spot[NR_SPOT_LIGHTS];
-#endif
+#include "layout/$(LAYOUT)_arrays.glsl"
 };
 #endif
+#include "storage/elements.glsl"
+#include "storage/filled.glsl"
+
+layout(std140) uniform MaterialBlock {
+    Material u_material;
+};

@@ -1,10 +1,7 @@
-// The lights as plain uniforms.
-#if NR_DIR_LIGHTS > 0
-uniform DirLight u_dir[NR_DIR_LIGHTS];
-#endif
-#if NR_POINT_LIGHTS > 0
-uniform PointLight u_point[NR_POINT_LIGHTS];
-#endif
-#if NR_SPOT_LIGHTS > 0
-uniform SpotLight u_spot[NR_SPOT_LIGHTS];
-#endif
+// storage=uniform: arrays of structs as plain uniforms, set one member at a time.
+#define LIGHT_ARRAY(type, name, size) uniform type name[size];
+#include "layout/$(LAYOUT)_arrays.glsl"
+#include "storage/elements.glsl"
+#include "storage/filled.glsl"
+
+uniform Material u_material;

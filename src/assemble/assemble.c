@@ -1,79 +1,14 @@
 #include "assemble/assemble.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "assemble/decide.h"
+#include "assemble/defines.h"
+#include "assemble/fixed_lights.h"
+#include "assemble/light_structs.h"
 #include "base/file.h"
 #include "base/hash.h"
-#include "effects/effects.h"
-
-struct defines {
-    struct sb_glsl_define row[SB_AXIS_MAX + SB_EFFECT_COUNT + 1];
-    int count;
-    struct sb_arena *arena;
-};
-
-static bool same_name(const char *a, const char *b)
-{
-    const size_t length = strcspn(a, "("); // of a macro with a parameter, the name
-    return length == strcspn(b, "(") && !strncmp(a, b, length);
-}
-
-// A second #define of a name is an error in some drivers and a warning in others, and they
-// differ in which value counts.
-static bool add_define(struct defines *defines, const char *name, const char *value,
-                       struct sb_error *err)
-{
-    for (int i = 0; i < defines->count; i++)
-        if (same_name(defines->row[i].name, name))
-            return sb_fail(err, SB_BAD_INPUT,
-                           "define %s: the name is taken; another one is valid", name);
-    defines->row[defines->count++] = (struct sb_glsl_define){name, value};
-    return true;
-}
-
-// A GLSL literal: a float needs a dot or an exponent, and a minus sign parentheses, so that
-// `x-BEND` does not become a decrement.
-static const char *number_literal(struct sb_arena *arena, double value, bool whole)
-{
-    char number[32];
-    sb_number_text(value, number);
-    const bool bare = !whole && !strpbrk(number, ".e");
-    return sb_arena_printf(arena, value < 0 ? "(%s%s)" : "%s%s", number,
-                           bare ? ".0" : "");
-}
-
-static const char *axis_literal(struct sb_arena *arena, const struct sb_axis *axis,
-                                double value)
-{
-    if (!axis->values)
-        return number_literal(arena, value, axis->flags & SB_WHOLE);
-    const char *text = axis->values[(int)value].text;
-    return *text ? text : number_literal(arena, value, true);
-}
-
-static bool add_defines(struct defines *defines, const struct sb_axes *axes,
-                        const struct sb_variant *variant, const char *family,
-                        struct sb_error *err)
-{
-    if (!add_define(defines, "GLSL_FAMILY", family, err))
-        return false;
-    const uint32_t effects = sb_effects_of(axes, variant);
-    for (int i = 0; i < SB_EFFECT_COUNT; i++) {
-        const char *name =
-            sb_arena_printf(defines->arena, "%s(code)", sb_effect_rows[i].macro);
-        if (!add_define(defines, name, effects >> i & 1 ? "code" : "", err))
-            return false;
-    }
-    for (int i = 0; i < axes->count; i++) {
-        const struct sb_axis *axis = &axes->row[i];
-        if (*axis->define &&
-            !add_define(defines, axis->define,
-                        axis_literal(defines->arena, axis, variant->value[i]), err))
-            return false;
-    }
-    return true;
-}
 
 static bool check_api(const struct sb_variant *variant, const struct sb_caps *caps,
                       struct sb_error *err)
@@ -86,27 +21,125 @@ static bool check_api(const struct sb_variant *variant, const struct sb_caps *ca
                    caps->gles ? "gles" : "gl");
 }
 
-static bool build(const struct sb_assemble_params *params, const char *version,
-                  const struct defines *defines, struct sb_assembly *assembly,
+// --- programs --------------------------------------------------------------------------
+
+static const char *const role_names[SB_ROLE_COUNT] = {
+    [SB_ROLE_SHADE] = "shade",
+    [SB_ROLE_SHADOW] = "shadow",
+    [SB_ROLE_LAMP] = "lamp",
+};
+
+// Also the suffixes of the files that begin them. SB_STAGE_VERT is stage 0.
+static const char *const stage_names[] = {"vert", "geom", "frag"};
+enum { VERTEX, GEOMETRY, FRAGMENT, STAGES };
+static_assert(SB_STAGE_GEOM == SB_STAGE_VERT + GEOMETRY &&
+                  SB_STAGE_FRAG == SB_STAGE_VERT + FRAGMENT,
+              "stages are counted alike");
+
+static bool is_asked(const struct sb_variant *variant, enum sb_role role, int stage)
+{
+    const bool shadows = variant->value[SB_AXIS_SHADOWS] > 0;
+    const bool layered = variant->value[SB_AXIS_SHADOW_PASS] == SB_SHADOW_PASS_LAYERED;
+    switch (role) {
+    case SB_ROLE_SHADOW:
+        return shadows && (stage != GEOMETRY || layered);
+    case SB_ROLE_LAMP:
+        return variant->value[SB_AXIS_LAMPS] == SB_LAMPS_ON && stage != GEOMETRY;
+    default:
+        return stage != GEOMETRY;
+    }
+}
+
+static bool build_all(struct sb_glsl_params *glsl, struct sb_assembly *assembly,
+                      struct sb_error *err)
+{
+    assembly->source_hash = SB_HASH_START;
+    for (int role = 0; role < SB_ROLE_COUNT; role++) {
+        for (int stage = 0; stage < STAGES; stage++) {
+            struct sb_glsl_source *source = &assembly->source[role][stage];
+            if (!is_asked(&assembly->job.variant, (enum sb_role)role, stage))
+                continue;
+            glsl->file = sb_arena_printf(&assembly->arena, "%s.%s", role_names[role],
+                                         stage_names[stage]);
+            if (!sb_glsl_build(glsl, source, err))
+                return false;
+            assembly->source_hash =
+                sb_hash(assembly->source_hash, &source->hash, sizeof source->hash);
+        }
+    }
+    return true;
+}
+
+static void list_programs(struct sb_assembly *assembly)
+{
+    struct sb_job *job = &assembly->job;
+    for (int role = 0; role < SB_ROLE_COUNT; role++) {
+        const struct sb_glsl_source *source = assembly->source[role];
+        if (source[VERTEX].text)
+            assembly->program[job->program_count++] = (struct sb_program){
+                .role = role_names[role],
+                .vertex = source[VERTEX].text,
+                .geometry = source[GEOMETRY].text,
+                .fragment = source[FRAGMENT].text,
+            };
+    }
+    job->program = assembly->program;
+}
+
+static bool build(const struct sb_assemble_params *params,
+                  const struct sb_glsl_version *version, struct sb_assembly *assembly,
                   struct sb_error *err)
 {
-    struct sb_glsl_params glsl = {
-        .root = params->shaders
-                    ? params->shaders
-                    : sb_path_join(&assembly->arena, params->data_dir, "shaders"),
-        .file = "shade.vert",
-        .version = version,
-        .define = defines->row,
-        .define_count = defines->count,
+    const struct sb_variant *variant = &assembly->job.variant;
+    struct sb_arena *arena = &assembly->arena;
+    struct sb_defines defines = {.arena = arena};
+    struct sb_text structs = {0}, arrays = {0}, lights = {0};
+    bool good = false;
+    if (!sb_defines_make(&defines, params->axes, variant, version->family, err))
+        goto done;
+    if (assembly->lights_fixed && !sb_fixed_lights(params->scene, variant, &lights, err))
+        goto done;
+    sb_light_structs_text(variant, &structs);
+    sb_light_arrays_text(variant, &arrays);
+    const struct sb_glsl_text given[] = {
+        {SB_LIGHT_STRUCTS_FILE, sb_text_get(&structs)},
+        {SB_LIGHT_ARRAYS_FILE, sb_text_get(&arrays)},
+        {SB_FIXED_LIGHTS_FILE, sb_text_get(&lights)},
     };
-    if (!sb_glsl_build(&glsl, &assembly->vertex, err))
-        return false;
-    glsl.file = "shade.frag";
-    if (!sb_glsl_build(&glsl, &assembly->fragment, err))
-        return false;
-    const uint64_t both[] = {assembly->vertex.hash, assembly->fragment.hash};
-    assembly->source_hash = sb_hash(SB_HASH_START, both, sizeof both);
-    return true;
+    struct sb_glsl_params glsl = {
+        .root = params->shaders ? params->shaders
+                                : sb_path_join(arena, params->data_dir, "shaders"),
+        .version = version->text,
+        .define = defines.row,
+        .define_count = defines.count,
+        .given = given,
+        .given_count = sizeof given / sizeof *given,
+    };
+    good = build_all(&glsl, assembly, err);
+
+done:
+    sb_text_free(&lights);
+    sb_text_free(&arrays);
+    sb_text_free(&structs);
+    return good;
+}
+
+// What is open in the variant, and what of it the driver cannot do.
+static const struct sb_glsl_version *decide(const struct sb_assemble_params *params,
+                                            struct sb_variant *variant,
+                                            struct sb_error *err)
+{
+    if (params->movable_lights && sb_lights_are_fixed(variant))
+        variant->value[SB_AXIS_STORAGE] = SB_STORAGE_AUTO;
+    if (!check_api(variant, params->caps, err))
+        return NULL;
+    const struct sb_glsl_version *version =
+        sb_decide_version(params->axes, params->caps, variant, err);
+    return version && sb_decide_loop(variant, err) &&
+                   sb_decide_shadows(params->axes, params->caps, variant, err) &&
+                   sb_decide_storage(params->axes, params->caps, variant, err)
+               ? version
+               : NULL;
 }
 
 bool sb_assemble(const struct sb_assemble_params *params, struct sb_assembly *assembly,
@@ -114,53 +147,47 @@ bool sb_assemble(const struct sb_assemble_params *params, struct sb_assembly *as
 {
     struct sb_variant *variant = &assembly->job.variant;
     *variant = *params->variant;
-    if (!check_api(variant, params->caps, err))
-        return false;
-    const struct sb_glsl_version *version =
-        sb_decide_version(params->axes, params->caps, variant, err);
-    if (!version || !sb_decide_storage(params->axes, params->caps, variant, err))
-        return false;
-
-    struct defines defines = {.arena = &assembly->arena};
-    if (!add_defines(&defines, params->axes, variant, version->family, err) ||
-        !build(params, version->text, &defines, assembly, err))
-        return false;
-    assembly->program[0] = (struct sb_program){
-        .role = "shade",
-        .vertex = assembly->vertex.text,
-        .fragment = assembly->fragment.text,
-    };
+    const struct sb_glsl_version *version = decide(params, variant, err);
     assembly->lit_per_vertex = variant->value[SB_AXIS_STAGE] == SB_STAGE_VERTEX;
+    assembly->lights_fixed = sb_lights_are_fixed(variant);
+    if (!version || !build(params, version, assembly, err))
+        return false;
+    list_programs(assembly);
     assembly->job.id = params->id;
     assembly->job.scene = sb_arena_strdup(&assembly->arena, params->scene);
-    assembly->job.program = assembly->program;
-    assembly->job.program_count = 1;
     return true;
 }
 
 void sb_assembly_free(struct sb_assembly *assembly)
 {
-    sb_glsl_free(&assembly->vertex);
-    sb_glsl_free(&assembly->fragment);
+    for (int role = 0; role < SB_ROLE_COUNT; role++)
+        for (int stage = 0; stage < STAGES; stage++)
+            sb_glsl_free(&assembly->source[role][stage]);
     sb_arena_free(&assembly->arena);
     memset(assembly, 0, sizeof *assembly);
+}
+
+// --- messages --------------------------------------------------------------------------
+
+// The sources of a place in job.program.
+static const struct sb_glsl_source *sources_of(const struct sb_assembly *assembly,
+                                               int program)
+{
+    for (int role = 0; role < SB_ROLE_COUNT; role++)
+        if (assembly->source[role][VERTEX].text && program-- == 0)
+            return assembly->source[role];
+    return NULL;
 }
 
 void sb_assembly_explain(const struct sb_assembly *assembly,
                          const struct sb_prepared *prepared, struct sb_text *text)
 {
+    const struct sb_glsl_source *source = sources_of(assembly, prepared->failed_program);
     const char *log = prepared->log ? prepared->log : "";
-    switch (prepared->failed_stage) {
-    case SB_STAGE_VERT:
-        sb_glsl_explain(&assembly->vertex, log, text);
-        break;
-    case SB_STAGE_FRAG:
-        sb_glsl_explain(&assembly->fragment, log, text);
-        break;
-    case SB_STAGE_LINK: // speaks of both stages, by name
+    if (source && prepared->failed_stage != SB_STAGE_LINK)
+        sb_glsl_explain(&source[prepared->failed_stage - SB_STAGE_VERT], log, text);
+    else // of linking: speaks of several stages, by name
         sb_text_add(text, log);
-        break;
-    }
 }
 
 void sb_caps_ideal(bool gles, struct sb_caps *caps)
@@ -177,7 +204,10 @@ void sb_caps_ideal(bool gles, struct sb_caps *caps)
         .uniform_block_size = 65536,
         .varying_components = 128,
         .texture_units = 32,
+        .combined_texture_units = 192,
         .texture_size = 16384,
+        .cube_map_size = 16384,
+        .array_layers = 2048,
         .renderbuffer_size = 16384,
         .samples = 32,
         .colour_float = 1,

@@ -14,14 +14,20 @@ struct sb_assemble_params {
     const struct sb_variant *variant; // resolved
     const struct sb_caps *caps;
     uint32_t id; // of the job
+    // The lights must be uniforms, whatever the variant says: so that a program that has them
+    // as constants has a twin of the same class whose lights can be switched off.
+    bool movable_lights;
 };
+
+enum sb_role { SB_ROLE_SHADE, SB_ROLE_SHADOW, SB_ROLE_LAMP, SB_ROLE_COUNT };
 
 struct sb_assembly {   // owns the job's texts; the job points into it: do not move it
     struct sb_job job; // job.variant: with every `auto` decided
-    struct sb_program program[1];
-    struct sb_glsl_source vertex, fragment;
-    uint64_t source_hash; // of both texts
-    bool lit_per_vertex;  // the lighting is evaluated in the vertex shader
+    struct sb_program program[SB_ROLE_COUNT];
+    struct sb_glsl_source source[SB_ROLE_COUNT][3]; // vertex, geometry, fragment
+    uint64_t source_hash;                           // of all texts
+    bool lit_per_vertex; // the lighting is evaluated in the vertex shader
+    bool lights_fixed;   // the lights are constants of the program
     struct sb_arena arena;
 };
 
@@ -36,7 +42,7 @@ void sb_assembly_free(struct sb_assembly *assembly);
 void sb_assembly_explain(const struct sb_assembly *assembly,
                          const struct sb_prepared *prepared, struct sb_text *text);
 
-// Runs glslangValidator over both stages, linked. SB_COMPILE_FAILED with its first message
+// Runs glslangValidator over every program, its stages linked. SB_COMPILE_FAILED with its first message
 // at the original line; SB_USAGE where the program is not installed.
 bool sb_assembly_validate(const struct sb_assembly *assembly, struct sb_error *err);
 

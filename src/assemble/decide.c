@@ -1,7 +1,6 @@
 #include "assemble/decide.h"
 
 #include <inttypes.h>
-#include <string.h>
 
 #include "scene/lights.h"
 
@@ -27,8 +26,9 @@ const struct sb_glsl_version *sb_decide_version(const struct sb_axes *axes,
                                                 struct sb_error *err)
 {
     int wanted = (int)variant->value[SB_AXIS_GLSL];
+    const bool es310 = caps->glsl >= 310 && sb_shadows_want_es310(variant);
     if (wanted == SB_GLSL_AUTO)
-        wanted = caps->gles ? SB_GLSL_300ES : SB_GLSL_330;
+        wanted = !caps->gles ? SB_GLSL_330 : es310 ? SB_GLSL_310ES : SB_GLSL_300ES;
     struct sb_text valid = {0};
     for (int i = 0; i < VERSION_COUNT; i++) {
         const struct sb_glsl_version *version = &versions[i];
@@ -60,78 +60,168 @@ struct need {
 };
 
 // Of the other uniforms: two mat4, a mat3, the camera, the scene's ambient light, three colours
-// of the material and its shininess. In vec4: 4 + 4 + 3 + 1 + 1 + 3 + 1.
+// of the material and its shininess. In vec4: 4 + 4 + 3 + 1 + 1 + 3 + 1. With space=view a mat4
+// and a mat3 more, with hoist=per_light a mat4, with loop=dynamic a number for each array.
 enum { OTHER_FLOATS = 16 + 16 + 9 + 3 + 3 + 9 + 1, OTHER_VEC4 = 17 };
 
-static void count(const struct sb_variant *variant, struct need *need)
+static void count_others(const struct sb_variant *variant, struct need *need)
 {
     *need = (struct need){.least = OTHER_FLOATS, .most = 4 * OTHER_VEC4};
-    for (int t = 0; t < SB_LIGHT_TYPE_COUNT; t++) {
-        const struct sb_light_type_row *type = &sb_light_types[t];
-        const int64_t lights = (int64_t)variant->value[type->axis];
-        for (int f = 0; f < type->field_count; f++) {
-            if (strncmp(type->field[f].name, "pad", 3) == 0)
-                continue; // padding is in C only
-            need->least += lights * type->field[f].components;
-            need->most += lights * 4;
-        }
-        need->block += lights * (int64_t)type->size;
+    if (variant->value[SB_AXIS_SPACE] == SB_SPACE_VIEW) {
+        need->least += 16 + 9;
+        need->most += 4 * (4 + 3);
+    }
+    if (variant->value[SB_AXIS_HOIST] == SB_HOIST_PER_LIGHT) {
+        need->least += 16;
+        need->most += 4 * 4;
+    }
+    if (variant->value[SB_AXIS_LOOP] == SB_LOOP_DYNAMIC) {
+        need->least += SB_LIGHT_STRUCT_COUNT;
+        need->most += 4 * SB_LIGHT_STRUCT_COUNT;
     }
 }
 
-static bool fail_uniform(const struct need *need, bool vertex, int64_t limit,
-                         bool block_fits, struct sb_error *err)
+// A member of an array of structs and an array for that member are packed alike.
+static void count(const struct sb_variant *variant, struct need *need)
 {
-    return sb_fail(err, SB_OVER_LIMIT,
-                   "storage=uniform: the %s shader wants %" PRId64 " uniform components, "
-                   "this driver has %" PRId64 " (GL_MAX_%s_UNIFORM_COMPONENTS); fewer "
-                   "lights fit%s",
-                   vertex ? "vertex" : "fragment", need->least, limit,
-                   vertex ? "VERTEX" : "FRAGMENT",
-                   block_fits ? ", or storage=ubo_std140" : "");
+    const bool unified = variant->value[SB_AXIS_LAYOUT] == SB_LAYOUT_UNIFIED;
+    count_others(variant, need);
+    for (int t = 0; t < SB_LIGHT_TYPE_COUNT; t++) {
+        const int64_t slots = sb_lights_slots(variant, (enum sb_light_type)t);
+        struct sb_light_members members;
+        sb_light_members_of(&sb_light_structs[unified ? SB_LIGHT_UNIFIED : t], variant,
+                            &members);
+        for (int i = 0; i < members.count; i++) {
+            need->least += slots * members.field[i]->components;
+            need->most += slots * 4;
+        }
+        need->block += slots * (int64_t)sb_light_std140_size(&members);
+    }
 }
 
-static bool fail_block(const struct need *need, int64_t limit, struct sb_error *err)
+struct room { // where the lights may go, and what there is for them
+    struct need need;
+    int64_t limit; // floats of the stage that lights
+    int64_t block_limit;
+    bool vertex, block_fits, es100;
+};
+
+static void look(const struct sb_caps *caps, const struct sb_variant *variant,
+                 struct room *room)
+{
+    count(variant, &room->need);
+    room->vertex = variant->value[SB_AXIS_STAGE] == SB_STAGE_VERTEX;
+    room->es100 = variant->value[SB_AXIS_GLSL] == SB_GLSL_100;
+    room->limit = room->vertex ? caps->vertex_uniform_components
+                               : caps->fragment_uniform_components;
+    room->block_limit = caps->uniform_block_size;
+    room->block_fits = !room->es100 && room->need.block <= room->block_limit;
+}
+
+static bool fail_uniform(const struct room *room, const char *word, struct sb_error *err)
 {
     return sb_fail(err, SB_OVER_LIMIT,
-                   "storage=ubo_std140: the lights want a uniform block of %" PRId64
+                   "storage=%s: the %s shader wants %" PRId64 " uniform components, "
+                   "this driver has %" PRId64 " (GL_MAX_%s_UNIFORM_COMPONENTS); fewer "
+                   "lights fit%s",
+                   word, room->vertex ? "vertex" : "fragment", room->need.least,
+                   room->limit, room->vertex ? "VERTEX" : "FRAGMENT",
+                   room->block_fits ? ", or storage=ubo_std140" : "");
+}
+
+static bool fail_block(const struct room *room, const char *word, struct sb_error *err)
+{
+    return sb_fail(err, SB_OVER_LIMIT,
+                   "storage=%s: the lights want a uniform block of %" PRId64
                    " bytes, this driver has %" PRId64
                    " (GL_MAX_UNIFORM_BLOCK_SIZE); fewer "
                    "lights fit",
-                   need->block, limit);
+                   word, room->need.block, room->block_limit);
+}
+
+static bool fail_es100(const char *word, const char *lacks, struct sb_error *err)
+{
+    return sb_fail(err, SB_BAD_INPUT,
+                   "storage=%s: GLSL ES 1.00 has no %s; valid with glsl=100: auto global "
+                   "uniform arrays",
+                   word, lacks);
+}
+
+// The text asks for the offsets of two lights and takes the rest of the block to follow them.
+static bool check_slip(const struct sb_variant *variant, struct sb_error *err)
+{
+    int lights = 0;
+    for (int t = 0; t < SB_LIGHT_TYPE_COUNT; t++)
+        lights += sb_lights_shining(variant, (enum sb_light_type)t);
+    if (variant->value[SB_AXIS_TEXT] != SB_TEXT_AS_WRITTEN ||
+        variant->value[SB_AXIS_SOURCE] != SB_SOURCE_UBO || lights <= 2)
+        return true;
+    return sb_fail(
+        err, SB_BAD_INPUT,
+        "storage=ubo_shared with text=as_written: the text asks for the offsets "
+        "of two lights only, so where the third of %d goes is not known; valid: "
+        "at most 2 lights, text=corrected, or another storage",
+        lights);
+}
+
+static bool check_fixed(const struct room *room, const struct sb_axes *axes,
+                        const struct sb_variant *variant, struct sb_error *err)
+{
+    const int storage = (int)variant->value[SB_AXIS_STORAGE];
+    const int update = (int)variant->value[SB_AXIS_UPDATE];
+    const char *word = axes->row[SB_AXIS_STORAGE].values[storage].name;
+    if (storage == SB_STORAGE_CONSTANT && room->es100)
+        return fail_es100(word, "constant arrays", err);
+    if (update == SB_UPDATE_STATIC)
+        return true;
+    return sb_fail(err, SB_BAD_INPUT,
+                   "storage=%s: the lights are part of the shader, so update=%s has "
+                   "nothing to upload; valid: update=static, or another storage",
+                   word, axes->row[SB_AXIS_UPDATE].values[update].name);
+}
+
+static bool check_storage(const struct room *room, const struct sb_axes *axes,
+                          const struct sb_variant *variant, struct sb_error *err)
+{
+    const int storage = (int)variant->value[SB_AXIS_STORAGE];
+    const char *word = axes->row[SB_AXIS_STORAGE].values[storage].name;
+    switch (storage) {
+    case SB_STORAGE_UNIFORM:
+    case SB_STORAGE_ARRAYS:
+        return room->need.least <= room->limit || fail_uniform(room, word, err);
+    case SB_STORAGE_UBO_STD140:
+    case SB_STORAGE_UBO_SHARED: // its size is the driver's affair; taken to be that of std140
+        if (room->es100)
+            return fail_es100(word, "uniform blocks", err);
+        return (room->block_fits || fail_block(room, word, err)) &&
+               (storage != SB_STORAGE_UBO_SHARED || check_slip(variant, err));
+    default:
+        return check_fixed(room, axes, variant, err);
+    }
 }
 
 bool sb_decide_storage(const struct sb_axes *axes, const struct sb_caps *caps,
                        struct sb_variant *variant, struct sb_error *err)
 {
-    struct need need;
-    count(variant, &need);
-    const bool vertex = variant->value[SB_AXIS_STAGE] == SB_STAGE_VERTEX;
-    const bool blocks = variant->value[SB_AXIS_GLSL] != SB_GLSL_100;
-    const int64_t limit =
-        vertex ? caps->vertex_uniform_components : caps->fragment_uniform_components;
-
-    const bool block_fits = blocks && need.block <= caps->uniform_block_size;
+    struct room room = {0};
+    look(caps, variant, &room);
 
     // How tightly uniforms are packed is the driver's affair. `auto` takes them where the
     // loosest packing fits; who asks for them by name is refused only where none does.
-    int storage = (int)variant->value[SB_AXIS_STORAGE];
-    if (storage == SB_STORAGE_AUTO)
-        storage =
-            block_fits && need.most > limit ? SB_STORAGE_UBO_STD140 : SB_STORAGE_UNIFORM;
-    variant->value[SB_AXIS_STORAGE] = storage;
-    switch (storage) {
-    case SB_STORAGE_UNIFORM:
-        return need.least <= limit || fail_uniform(&need, vertex, limit, block_fits, err);
-    case SB_STORAGE_UBO_STD140:
-        if (!blocks)
-            return sb_fail(
-                err, SB_BAD_INPUT,
-                "storage=ubo_std140: GLSL ES 1.00 has no uniform blocks; valid "
-                "with glsl=100: auto uniform");
-        return block_fits || fail_block(&need, caps->uniform_block_size, err);
-    default:
-        return sb_fail(err, SB_NOT_IMPLEMENTED, "storage=%s: not implemented yet",
-                       axes->row[SB_AXIS_STORAGE].values[storage].name);
-    }
+    if (variant->value[SB_AXIS_STORAGE] == SB_STORAGE_AUTO)
+        variant->value[SB_AXIS_STORAGE] = room.block_fits && room.need.most > room.limit
+                                              ? SB_STORAGE_UBO_STD140
+                                              : SB_STORAGE_UNIFORM;
+    return check_storage(&room, axes, variant, err);
+}
+
+bool sb_decide_loop(const struct sb_variant *variant, struct sb_error *err)
+{
+    if (variant->value[SB_AXIS_LOOP] != SB_LOOP_DYNAMIC ||
+        variant->value[SB_AXIS_GLSL] != SB_GLSL_100)
+        return true;
+    return sb_fail(
+        err, SB_BAD_INPUT,
+        "loop=dynamic: GLSL ES 1.00 has constant loop bounds only (appendix A.4); "
+        "valid with glsl=100: unrolled constant padded");
 }

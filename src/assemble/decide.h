@@ -19,6 +19,20 @@ const struct sb_glsl_version *sb_decide_version(const struct sb_axes *axes,
                                                 struct sb_error *err);
 
 // Decides storage=auto and writes the value into the variant. Call after the version.
-// SB_OVER_LIMIT where the lights fit nowhere, or not where the variant wants them.
+// SB_OVER_LIMIT where the lights fit nowhere, or not where the variant wants them;
+// SB_BAD_INPUT where that storage cannot do what else the variant wants.
 bool sb_decide_storage(const struct sb_axes *axes, const struct sb_caps *caps,
                        struct sb_variant *variant, struct sb_error *err);
+
+// Do the variant's shadow maps want what GLSL ES 3.00 lacks and 3.10 has by extensions: cube
+// map arrays or geometry shaders?
+bool sb_shadows_want_es310(const struct sb_variant *variant);
+
+// Can this driver do the variant's shadows? Call after the version. SB_OVER_LIMIT names the
+// limit, what the driver has and what would fit; SB_BAD_INPUT where the variant contradicts
+// itself.
+bool sb_decide_shadows(const struct sb_axes *axes, const struct sb_caps *caps,
+                       const struct sb_variant *variant, struct sb_error *err);
+
+// SB_BAD_INPUT where the GLSL version has no such loop. Call after the version.
+bool sb_decide_loop(const struct sb_variant *variant, struct sb_error *err);

@@ -13,9 +13,12 @@
 extern char **environ;
 
 // Files, not standard input: only files can be linked with each other, and no pipe can fill
-// up or break.
+// up or break. The compiler tells the stage by these suffixes.
+static const char *const file_names[] = {"program.vert", "program.geom", "program.frag"};
+enum { STAGES = sizeof file_names / sizeof *file_names };
+
 struct folder {
-    char *path, *vertex, *fragment;
+    char *path, *file[STAGES];
     struct sb_arena arena;
 };
 
@@ -29,17 +32,16 @@ static bool folder_make(struct folder *folder, struct sb_error *err)
         folder->path = NULL;
         return false;
     }
-    // The compiler tells the stage by these suffixes.
-    folder->vertex = sb_path_join(&folder->arena, folder->path, "shade.vert");
-    folder->fragment = sb_path_join(&folder->arena, folder->path, "shade.frag");
+    for (int i = 0; i < STAGES; i++)
+        folder->file[i] = sb_path_join(&folder->arena, folder->path, file_names[i]);
     return true;
 }
 
 static void folder_remove(struct folder *folder)
 {
     if (folder->path) {
-        unlink(folder->vertex);
-        unlink(folder->fragment);
+        for (int i = 0; i < STAGES; i++)
+            unlink(folder->file[i]);
         rmdir(folder->path);
     }
     sb_arena_free(&folder->arena);
@@ -98,7 +100,7 @@ static bool run(char *const *argv, bool *good, struct sb_text *output,
     return true;
 }
 
-// "ERROR: /tmp/…/shade.vert:12: text" -> the original file and line. The compiler's own form
+// "ERROR: /tmp/…/program.vert:12: text" -> the original file and line. The compiler's own form
 // for a string without a name, "ERROR: 0:12:", is what sb_glsl_explain knows.
 static bool explain_message(const char *message, const char *path,
                             const struct sb_glsl_source *source, struct sb_text *text)
@@ -116,42 +118,54 @@ static bool explain_message(const char *message, const char *path,
     return true;
 }
 
-static bool fail_compile(const struct sb_assembly *assembly, const struct folder *folder,
-                         const char *output, struct sb_error *err)
+static bool fail_compile(const struct sb_glsl_source source[STAGES],
+                         const struct folder *folder, const char *output,
+                         struct sb_error *err)
 {
     const char *message = strstr(output, "ERROR: ");
     if (!message)
         return sb_fail(err, SB_COMPILE_FAILED, "glslangValidator failed and said: %s",
                        output);
     struct sb_text text = {0};
-    if (!explain_message(message, folder->vertex, &assembly->vertex, &text) &&
-        !explain_message(message, folder->fragment, &assembly->fragment, &text))
-        sb_text_add(&text, message); // of linking: two stages on several lines
+    bool explained = false;
+    for (int i = 0; i < STAGES && !explained; i++)
+        explained = source[i].text &&
+                    explain_message(message, folder->file[i], &source[i], &text);
+    if (!explained) // of linking: stages on several lines
+        sb_text_add(&text, message);
     sb_fail(err, SB_COMPILE_FAILED, "%s", sb_text_get(&text));
     sb_text_free(&text);
     return false;
 }
 
+static bool validate_program(const struct sb_glsl_source source[STAGES],
+                             const struct folder *folder, struct sb_error *err)
+{
+    char *argv[2 + STAGES + 1] = {"glslangValidator", "-l"};
+    int count = 2;
+    for (int i = 0; i < STAGES; i++) {
+        if (!source[i].text)
+            continue;
+        if (!sb_file_replace(folder->file[i], source[i].text, strlen(source[i].text),
+                             err))
+            return false;
+        argv[count++] = folder->file[i];
+    }
+    struct sb_text output = {0};
+    bool good = false;
+    if (run(argv, &good, &output, err) && !good)
+        fail_compile(source, folder, sb_text_get(&output), err);
+    sb_text_free(&output);
+    return good;
+}
+
 bool sb_assembly_validate(const struct sb_assembly *assembly, struct sb_error *err)
 {
     struct folder folder = {0};
-    struct sb_text output = {0};
-    bool good = false;
-    if (!folder_make(&folder, err))
-        goto done;
-    const char *const vertex = assembly->vertex.text;
-    const char *const fragment = assembly->fragment.text;
-    if (!sb_file_replace(folder.vertex, vertex, strlen(vertex), err) ||
-        !sb_file_replace(folder.fragment, fragment, strlen(fragment), err))
-        goto done;
-    char *const argv[] = {"glslangValidator", "-l", folder.vertex, folder.fragment, NULL};
-    if (!run(argv, &good, &output, err))
-        goto done;
-    if (!good)
-        fail_compile(assembly, &folder, sb_text_get(&output), err);
-
-done:
+    bool good = folder_make(&folder, err);
+    for (int role = 0; good && role < SB_ROLE_COUNT; role++)
+        if (assembly->source[role][0].text)
+            good = validate_program(assembly->source[role], &folder, err);
     folder_remove(&folder);
-    sb_text_free(&output);
     return good;
 }

@@ -10,6 +10,7 @@
 int sb_cmd_probe(const struct sb_options *options, int argc, char **argv);
 int sb_cmd_list(const struct sb_options *options, int argc, char **argv);
 int sb_cmd_show(const struct sb_options *options, int argc, char **argv);
+int sb_cmd_verify(const struct sb_options *options, int argc, char **argv);
 int sb_cmd_run(const struct sb_options *options, int argc, char **argv);
 
 // Prints the error and returns its exit code.

@@ -15,9 +15,11 @@ const struct sb_command sb_commands[] = {
     {"list", "[WHAT]", "suites, presets, scenes, axes, contexts, columns, settings, statuses",
      "Without a word: the suites and what else can be listed.", 2, sb_cmd_list},
     {"show", "VARIANT | SUITE", "the final GLSL of a variant (point=4,stage=vertex), or the plan of a suite",
-     "A variant is AXIS=VALUE,… ; `default` is the variant of all defaults. Needs no GL.", 4, sb_cmd_show},
+     "A variant is AXIS=VALUE,…, after the name of a preset where it has one; `default` is the\nvariant of all defaults. Needs no GL.", 4, sb_cmd_show},
     {"run", "[SUITE]", "measure a suite, or what --set and --sweep ask for",
      "SUITE is the name of a shipped suite (shadebench list suites) or a YAML file. Without\nSUITE, --set and --sweep say what to run. Exit codes: 0 done, 2 input, 3 a row is not\nvalid, 77 no GL here, 130 interrupted.", 8, sb_cmd_run},
+    {"verify", "--classes [SUITE]", "do variants that differ only in how they do it draw the same picture?",
+     "Draws every variant of SUITE (classes, where none is given) and compares it with the first\nof its equivalence class: same scene, equal on all but implementation axes. Exit code 3: two\npictures differ that must not, or a variant cannot be drawn.", 16, sb_cmd_verify},
 };
 // clang-format on
 const int sb_command_count = sizeof sb_commands / sizeof *sb_commands;

@@ -6,7 +6,8 @@
 #include "base/words.h"
 #include "cli/common.h"
 
-enum { PROBE = 1, LIST = 2, SHOW = 4, RUN = 8, ALL = 15 };
+enum { PROBE = 1, LIST = 2, SHOW = 4, RUN = 8, VERIFY = 16, ALL = 31 };
+enum { PLAN = RUN | SHOW | VERIFY }; // commands that take a suite
 
 enum option_type { FLAG, TEXT, ASSIGNMENT };
 
@@ -23,23 +24,25 @@ struct option {
 #define AT(field) offsetof(struct sb_options, field)
 // clang-format off
 static const struct option options_table[] = {
-    {"set",      0,   "AXIS=VALUE", RUN|SHOW,       ASSIGNMENT, AT(set),      "give one axis a value, over the suite's; may be repeated"},
-    {"sweep",    0,   "AXIS=LIST",  RUN|SHOW,       ASSIGNMENT, AT(sweep),    "vary one axis, the others at their base: 1,2,4 or 0..32 step 4 or 1..64 x2"},
-    {"cross",    0,   "AXIS=LIST",  RUN|SHOW,       ASSIGNMENT, AT(cross),    "multiply all variants by these values"},
-    {"scene",    0,   "NAME",       RUN|SHOW,       TEXT,       AT(scene),    "the scene to draw (shadebench list scenes)"},
-    {"preset",   0,   "NAME",       RUN|SHOW,       TEXT,       AT(preset),   "start from a preset (shadebench list presets)"},
-    {"output",   'o', "DIR",        RUN,            TEXT,       AT(output),   "results folder; default: shadebench-results/SUITE-DATE"},
-    {"resume",   0,   "DIR",        RUN,            TEXT,       AT(resume),   "go on with an interrupted run, or with its next process"},
-    {"images",   0,   NULL,         RUN,            FLAG,       AT(images),   "write a PNG of each variant"},
-    {"validate", 0,   NULL,         SHOW,           FLAG,       AT(validate), "check the sources with glslangValidator"},
-    {"timer",    0,   "NAME",       RUN|PROBE,      TEXT,       AT(timer),    "timer source to use, if its audit allows; default: auto"},
-    {"device",   0,   "N",          RUN|PROBE,      TEXT,       AT(device),   "EGL device number, where there are several"},
-    {"shaders",  0,   "DIR",        RUN|SHOW,       TEXT,       AT(shaders),  "another shader folder"},
-    {"data",     0,   "DIR",        ALL,            TEXT,       AT(data),     "folder that holds shaders/ and bench/"},
-    {"json",     0,   NULL,         ALL,            FLAG,       AT(json),     "results on stdout as JSON"},
-    {"quiet",    'q', NULL,         ALL,            FLAG,       AT(quiet),    "no progress, warnings only"},
-    {"verbose",  'v', NULL,         ALL,            FLAG,       AT(verbose),  "say more"},
-    {"help",     'h', NULL,         ALL,            FLAG,       AT(help),     "this text"},
+    {"set",      0,   "AXIS=VALUE", PLAN,             ASSIGNMENT, AT(set),      "give one axis a value, over the suite's; may be repeated"},
+    {"sweep",    0,   "AXIS=LIST",  PLAN,             ASSIGNMENT, AT(sweep),    "vary one axis, the others at their base: 1,2,4 or 0..32 step 4 or 1..64 x2"},
+    {"cross",    0,   "AXIS=LIST",  PLAN,             ASSIGNMENT, AT(cross),    "multiply all variants by these values"},
+    {"scene",    0,   "NAME",       PLAN,             TEXT,       AT(scene),    "the scene to draw (shadebench list scenes)"},
+    {"preset",   0,   "NAME,…",     PLAN,             TEXT,       AT(preset),   "start from a preset, or from several side by side (shadebench list presets)"},
+    {"output",   'o', "DIR",        RUN,              TEXT,       AT(output),   "results folder; default: shadebench-results/SUITE-DATE"},
+    {"resume",   0,   "DIR",        RUN,              TEXT,       AT(resume),   "go on with an interrupted run, or with its next process"},
+    {"images",   0,   NULL,         RUN,              FLAG,       AT(images),   "write a PNG of each variant, of its shadow maps, and a contact sheet"},
+    {"dump",     0,   "DIR",        RUN,              TEXT,       AT(dump),     "write the float picture, ids and scene of each variant (docs/formats.md)"},
+    {"classes",  0,   NULL,         VERIFY,           FLAG,       AT(classes),  "compare the pictures of each equivalence class"},
+    {"validate", 0,   NULL,         SHOW,             FLAG,       AT(validate), "check the sources with glslangValidator"},
+    {"timer",    0,   "NAME",       RUN|PROBE,        TEXT,       AT(timer),    "timer source to use, if its audit allows; default: auto"},
+    {"device",   0,   "N",          RUN|PROBE|VERIFY, TEXT,       AT(device),   "EGL device number, where there are several"},
+    {"shaders",  0,   "DIR",        PLAN,             TEXT,       AT(shaders),  "another shader folder"},
+    {"data",     0,   "DIR",        ALL,              TEXT,       AT(data),     "folder that holds shaders/ and bench/"},
+    {"json",     0,   NULL,         ALL,              FLAG,       AT(json),     "results on stdout as JSON"},
+    {"quiet",    'q', NULL,         ALL,              FLAG,       AT(quiet),    "no progress, warnings only"},
+    {"verbose",  'v', NULL,         ALL,              FLAG,       AT(verbose),  "say more"},
+    {"help",     'h', NULL,         ALL,              FLAG,       AT(help),     "this text"},
 };
 // clang-format on
 #undef AT
@@ -72,7 +75,7 @@ static bool unknown_option(const struct sb_command *command, const char *word,
                            const char *name, const char *value, struct sb_arena *arena,
                            struct sb_error *err)
 {
-    if ((command->bit & (RUN | SHOW)) && sb_cli_fail_axis("option", name, value, err)) {
+    if ((command->bit & PLAN) && sb_cli_fail_axis("option", name, value, err)) {
         sb_fail(err, SB_USAGE, "%s: %s", command->name, err->text);
         return false;
     }

@@ -74,6 +74,8 @@ static void print_driver(const struct sb_driver *driver)
     print_timers(driver);
     printf("\nPrecision qualifiers, by chained operations:\n");
     print_precision(driver);
+    printf("\nNested conditionals in a loop: %d of %d compile and draw right.\n",
+           driver->probe.nesting, SB_NESTING_ASKED);
 }
 
 int sb_cmd_probe(const struct sb_options *options, int argc, char **argv)
@@ -103,6 +105,7 @@ int sb_cmd_probe(const struct sb_options *options, int argc, char **argv)
         json_object_set_new(object, "caps", sb_caps_json(&driver.caps));
         json_object_set_new(object, "timers", sb_audit_json(&driver));
         json_object_set_new(object, "precision", sb_precision_json(&driver));
+        json_object_set_new(object, "nesting", json_integer(driver.probe.nesting));
         json_object_set_new(object, "machine", sb_machine_json());
         json_object_set_new(object, "environment", sb_environment_json());
         sb_cli_print_json(object);

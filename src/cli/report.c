@@ -106,7 +106,16 @@ static bool is_given_differently(const struct sb_row *row, int count, int axis)
     return false;
 }
 
-// The part of the row's id that sets it apart from the others.
+static bool presets_vary(const struct sb_suite *suite, int count)
+{
+    for (int i = 1; i < count; i++)
+        if (suite->entry[i].preset != suite->entry[0].preset &&
+            strcmp(suite->entry[i].preset, suite->entry[0].preset) != 0)
+            return true;
+    return false;
+}
+
+// The part of the row's id that sets it apart from the others; `text` may hold the preset.
 static void distinct_id(const struct sb_axes *axes, const struct sb_row *rows, int count,
                         const struct sb_row *row, struct sb_text *text)
 {
@@ -130,19 +139,22 @@ enum { AXIS_COLUMNS_MAX = 5 };
 
 struct key_columns {
     bool scene, id, axis[SB_AXIS_MAX];
+    bool preset; // in the id
 };
 
-static void add_key_columns(struct sb_table *table, const struct sb_axes *axes,
+static void add_key_columns(struct sb_table *table, const struct sb_suite *suite,
                             const struct sb_row *row, int count, struct key_columns *key)
 {
+    const struct sb_axes *axes = &suite->axes;
     int shown = 0;
+    key->preset = presets_vary(suite, count);
     key->scene = scene_varies(row, count);
     for (int a = 0; a < axes->count; a++) {
         key->axis[a] =
             axis_varies(axes, row, count, a) && !is_set_by_shorthand(axes, row, count, a);
         shown += key->axis[a];
     }
-    key->id = shown > AXIS_COLUMNS_MAX;
+    key->id = shown > AXIS_COLUMNS_MAX || key->preset;
     if (key->scene)
         sb_table_column(table, "scene", false);
     if (key->id)
@@ -152,13 +164,16 @@ static void add_key_columns(struct sb_table *table, const struct sb_axes *axes,
             sb_table_column(table, axes->row[a].name, !axes->row[a].values);
 }
 
-static void add_key_cells(struct sb_table *table, const struct sb_axes *axes,
+static void add_key_cells(struct sb_table *table, const struct sb_suite *suite,
                           const struct sb_row *rows, int count, const struct sb_row *row,
                           const struct key_columns *key)
 {
+    const struct sb_axes *axes = &suite->axes;
     struct sb_text text = {0};
     if (key->scene)
         sb_table_cell(table, row->scene);
+    if (key->preset)
+        sb_text_add(&text, suite->entry[row - rows].preset);
     if (key->id) {
         distinct_id(axes, rows, count, row, &text);
         sb_table_cell(table, sb_text_get(&text));
@@ -174,11 +189,10 @@ static void add_key_cells(struct sb_table *table, const struct sb_axes *axes,
 
 void sb_report_table(const struct sb_suite *suite, const struct sb_row *row, int count)
 {
-    const struct sb_axes *axes = &suite->axes;
     struct sb_table *table = sb_table_new();
     struct key_columns key;
     bool statuses = false;
-    add_key_columns(table, axes, row, count, &key);
+    add_key_columns(table, suite, row, count, &key);
     for (int i = 0; i < count; i++)
         statuses |= strcmp(row[i].status, "ok") != 0;
     sb_table_column(table, "median ms", true);
@@ -189,7 +203,7 @@ void sb_report_table(const struct sb_suite *suite, const struct sb_row *row, int
     if (statuses)
         sb_table_column(table, "status", false);
     for (int i = 0; i < count; i++) {
-        add_key_cells(table, axes, row, count, &row[i], &key);
+        add_key_cells(table, suite, row, count, &row[i], &key);
         add_times(table, &row[i], statuses);
     }
     sb_table_print(table);

@@ -39,10 +39,9 @@ static bool check_resume(const struct sb_options *now, struct sb_error *err)
     const struct {
         const char *name, *value;
     } texts[] = {
-        {"--scene", now->scene},     {"--preset", now->preset},
-        {"--output", now->output},   {"--timer", now->timer},
-        {"--device", now->device},   {"--shaders", now->shaders},
-        {"the suite", now->word[0]},
+        {"--scene", now->scene}, {"--preset", now->preset},   {"--output", now->output},
+        {"--timer", now->timer}, {"--device", now->device},   {"--shaders", now->shaders},
+        {"--dump", now->dump},   {"the suite", now->word[0]},
     };
     const char *what = now->images ? "--images" : NULL, *value = "";
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
@@ -232,6 +231,7 @@ static int run_suite(const struct sb_options *options, json_t *arguments,
             .dir = dir,
             .append = options->resume != NULL,
             .images = options->images,
+            .dump = options->dump,
             .suite_file = path,
             .arguments = arguments,
         };

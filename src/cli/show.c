@@ -9,11 +9,12 @@
 #include "cli/common.h"
 #include "cli/table.h"
 
-// "point=4,stage=vertex" as assignments over those of --set.
+// "point=4,stage=vertex" as assignments over those of --set; "delphi,stage=vertex" names a
+// preset first, as ids do.
 static bool add_variant(const char *word, struct sb_options *options,
                         struct sb_arena *arena, struct sb_error *err)
 {
-    char *rest = sb_arena_strdup(arena, word);
+    char *const all = sb_arena_strdup(arena, word), *rest = all;
     if (strcmp(word, "default") == 0)
         return true;
     for (char *part = rest; part; part = rest) {
@@ -21,6 +22,10 @@ static bool add_variant(const char *word, struct sb_options *options,
         if (rest)
             *rest++ = '\0';
         char *equals = strchr(part, '=');
+        if (!equals && part == all && !options->preset) {
+            options->preset = part;
+            continue;
+        }
         if (!equals || options->set.count == SB_ASSIGNMENTS_MAX)
             return sb_fail(err, SB_USAGE, "variant \"%s\": AXIS=VALUE,… is wanted", word);
         const char *origin = sb_arena_printf(arena, "variant \"%s\"", part);
@@ -53,6 +58,42 @@ static bool assemble(const struct sb_options *options, const char *data,
            (!options->validate || sb_assembly_validate(assembly, err));
 }
 
+static const char *const stage_names[] = {"vertex", "geometry", "fragment"};
+
+static void source_texts(const struct sb_program *program, const char *text[static 3])
+{
+    text[0] = program->vertex;
+    text[1] = program->geometry; // NULL: it has none
+    text[2] = program->fragment;
+}
+
+static json_t *programs_json(const struct sb_job *job)
+{
+    json_t *programs = json_array();
+    for (int i = 0; i < job->program_count; i++) {
+        json_t *object = json_pack("{ss}", "role", job->program[i].role);
+        const char *text[3];
+        source_texts(&job->program[i], text);
+        for (int stage = 0; stage < 3; stage++)
+            if (text[stage])
+                json_object_set_new(object, stage_names[stage], json_string(text[stage]));
+        json_array_append_new(programs, object);
+    }
+    return programs;
+}
+
+static void print_programs(const struct sb_job *job, const char *id)
+{
+    for (int i = 0; i < job->program_count; i++) {
+        const char *text[3];
+        source_texts(&job->program[i], text);
+        for (int stage = 0; stage < 3; stage++)
+            if (text[stage])
+                printf("// %s: program %s, %s shader\n%s\n", id, job->program[i].role,
+                       stage_names[stage], text[stage]);
+    }
+}
+
 static bool show_sources(const struct sb_options *options, const char *data,
                          const struct sb_suite *suite, struct sb_error *err)
 {
@@ -61,14 +102,12 @@ static bool show_sources(const struct sb_options *options, const char *data,
     if (good && options->json) {
         json_t *object = json_object();
         json_object_set_new(object, "variant", json_string(suite->entry[0].id));
-        json_object_set_new(object, "vertex", json_string(assembly.vertex.text));
-        json_object_set_new(object, "fragment", json_string(assembly.fragment.text));
+        json_object_set_new(object, "programs", programs_json(&assembly.job));
         json_object_set_new(object, "source_hash",
                             json_sprintf("%016" PRIx64, assembly.source_hash));
         sb_cli_print_json(object);
     } else if (good) {
-        printf("// %s: vertex shader\n%s\n// %s: fragment shader\n%s", suite->entry[0].id,
-               assembly.vertex.text, suite->entry[0].id, assembly.fragment.text);
+        print_programs(&assembly.job, suite->entry[0].id);
     }
     sb_assembly_free(&assembly);
     return good;

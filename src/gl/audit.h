@@ -14,5 +14,8 @@ bool sb_gl_audit_read(const struct sb_caps *caps, struct sb_audit *audit,
 
 // Overwrites *probe: highp, mediump and lowp of the fragment stage, then of the vertex
 // stage.
-bool sb_gl_probe_precision(const struct sb_caps *caps, struct sb_precision_probe *probe,
+bool sb_gl_probe_precision(const struct sb_caps *caps, struct sb_probe *probe,
                            struct sb_error *err);
+
+// The deepest of 64, 32, … nested conditionals that compile and draw right.
+bool sb_gl_probe_nesting(const struct sb_caps *caps, int *nesting, struct sb_error *err);

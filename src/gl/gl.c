@@ -117,7 +117,10 @@ static void get_limits(struct sb_caps *caps)
     caps->uniform_block_size = limit(GL_MAX_UNIFORM_BLOCK_SIZE);
     caps->varying_components = limit(GL_MAX_VARYING_COMPONENTS);
     caps->texture_units = limit(GL_MAX_TEXTURE_IMAGE_UNITS);
+    caps->combined_texture_units = limit(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
     caps->texture_size = limit(GL_MAX_TEXTURE_SIZE);
+    caps->cube_map_size = limit(GL_MAX_CUBE_MAP_TEXTURE_SIZE);
+    caps->array_layers = limit(GL_MAX_ARRAY_TEXTURE_LAYERS);
     caps->renderbuffer_size = limit(GL_MAX_RENDERBUFFER_SIZE);
     caps->samples = limit(GL_MAX_SAMPLES);
     caps->colour_float = can_draw_to(GL_RGBA32F);

@@ -63,13 +63,14 @@ static const struct {
 bool sb_gl_load_make(struct sb_gl_load *load, enum sb_load kind, int size,
                      const struct sb_caps *caps, struct sb_error *err)
 {
-    const char *vertex = loads[kind].vertex[caps->gles];
-    const char *fragment = loads[kind].fragment[caps->gles];
-    if (!sb_gl_program_make(vertex, fragment, &load->program))
+    const struct sb_program source = {.vertex = loads[kind].vertex[caps->gles],
+                                      .fragment = loads[kind].fragment[caps->gles]};
+    const struct sb_target_params target = {size, size, 1, SB_GL_RGBA8};
+    if (!sb_gl_program_make(&source, &load->program))
         return sb_fail(err, SB_COMPILE_FAILED, "the timer audit's own shader: %s",
                        load->program.log);
     for (int i = 0; i < SB_LOAD_RING; i++)
-        if (!sb_target_make(&load->ring[i], caps, size, size, SB_GL_RGBA8, err))
+        if (!sb_target_make(&load->ring[i], caps, &target, err))
             return false;
     glGenVertexArrays(1, &load->vertex_array);
     glBindVertexArray(load->vertex_array);

@@ -78,7 +78,9 @@ static bool make_program(struct sb_gl_program *program, bool gles, int stage,
     shader_text(&fragment, gles, precision, stages[stage].with_results[1],
                 stages[stage].fragment);
     const bool made =
-        sb_gl_program_make(sb_text_get(&vertex), sb_text_get(&fragment), program);
+        sb_gl_program_make(&(struct sb_program){.vertex = sb_text_get(&vertex),
+                                                .fragment = sb_text_get(&fragment)},
+                           program);
     sb_text_free(&vertex);
     sb_text_free(&fragment);
     if (!made)
@@ -123,13 +125,14 @@ static bool probe_one(bool gles, int stage, int precision,
     return made;
 }
 
-bool sb_gl_probe_precision(const struct sb_caps *caps, struct sb_precision_probe *probe,
+bool sb_gl_probe_precision(const struct sb_caps *caps, struct sb_probe *probe,
                            struct sb_error *err)
 {
+    const struct sb_target_params results_target = {8, 1, 1, SB_GL_R32UI};
     struct sb_target target;
     GLuint vertex_array;
-    *probe = (struct sb_precision_probe){0};
-    if (!sb_target_make(&target, caps, 8, 1, SB_GL_R32UI, err))
+    *probe = (struct sb_probe){0};
+    if (!sb_target_make(&target, caps, &results_target, err))
         return false;
     glGenVertexArrays(1, &vertex_array);
     glBindVertexArray(vertex_array);

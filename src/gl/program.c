@@ -23,6 +23,12 @@ static GLuint compile(GLenum kind, const char *source, enum sb_failed_stage stag
     const int64_t start = sb_clock_ns();
     const GLuint shader = glCreateShader(kind);
     GLint done = GL_FALSE;
+    if (shader == 0) { // GL_INVALID_ENUM: geometry shaders, where there are none
+        sb_gl_error();
+        program->failed_stage = stage;
+        program->log = sb_strdup("the driver has no shaders of this stage");
+        return 0;
+    }
     glShaderSource(shader, 1, &source, NULL);
     glCompileShader(shader);
     // Asking for the status waits for the compiler.
@@ -53,15 +59,15 @@ static uint64_t hash_binary(GLuint name)
     return length > 0 ? hash : 0;
 }
 
-static bool link_program(GLuint vertex, GLuint fragment, struct sb_gl_program *program)
+static bool link_program(const GLuint *shader, int count, struct sb_gl_program *program)
 {
     static const char *const attributes[] = {"a_position", "a_normal", "a_uv",
                                              "a_tangent"};
     const int64_t start = sb_clock_ns();
     const GLuint name = glCreateProgram();
     GLint done = GL_FALSE;
-    glAttachShader(name, vertex);
-    glAttachShader(name, fragment);
+    for (int i = 0; i < count; i++)
+        glAttachShader(name, shader[i]);
     for (GLuint i = 0; i < sizeof attributes / sizeof *attributes; i++)
         glBindAttribLocation(name, i, attributes[i]);
     if (glGetProgramBinary)
@@ -75,26 +81,42 @@ static bool link_program(GLuint vertex, GLuint fragment, struct sb_gl_program *p
         glDeleteProgram(name);
         return false;
     }
-    glDetachShader(name, vertex);
-    glDetachShader(name, fragment);
+    for (int i = 0; i < count; i++)
+        glDetachShader(name, shader[i]);
     program->name = name;
     program->binary_hash = glGetProgramBinary ? hash_binary(name) : 0;
     return true;
 }
 
-bool sb_gl_program_make(const char *vertex, const char *fragment,
-                        struct sb_gl_program *program)
+bool sb_gl_program_make(const struct sb_program *source, struct sb_gl_program *program)
 {
+    const struct {
+        GLenum kind;
+        enum sb_failed_stage stage;
+        const char *source;
+    } stages[] = {
+        {GL_VERTEX_SHADER, SB_STAGE_VERT, source->vertex},
+        {GL_GEOMETRY_SHADER, SB_STAGE_GEOM, source->geometry},
+        {GL_FRAGMENT_SHADER, SB_STAGE_FRAG, source->fragment},
+    };
+    GLuint shader[sizeof stages / sizeof *stages];
+    int count = 0;
+    bool ok = true;
     *program = (struct sb_gl_program){0};
     if (GLAD_GL_KHR_parallel_shader_compile)
         glMaxShaderCompilerThreadsKHR(0);
-    const GLuint vert = compile(GL_VERTEX_SHADER, vertex, SB_STAGE_VERT, program);
-    const GLuint frag =
-        vert ? compile(GL_FRAGMENT_SHADER, fragment, SB_STAGE_FRAG, program) : 0;
-    const bool linked = vert && frag && link_program(vert, frag, program);
-    glDeleteShader(vert); // 0 is ignored
-    glDeleteShader(frag);
-    return linked;
+    for (size_t i = 0; ok && i < sizeof stages / sizeof *stages; i++) {
+        if (!stages[i].source)
+            continue;
+        shader[count] =
+            compile(stages[i].kind, stages[i].source, stages[i].stage, program);
+        ok = shader[count] != 0;
+        count += ok;
+    }
+    ok = ok && link_program(shader, count, program);
+    for (int i = 0; i < count; i++)
+        glDeleteShader(shader[i]);
+    return ok;
 }
 
 void sb_gl_program_free(struct sb_gl_program *program)

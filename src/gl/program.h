@@ -15,10 +15,9 @@ struct sb_gl_program {
     char *log; // malloc'd, or NULL; of the failed stage
 };
 
-// Overwrites *program. Attributes a_position, a_normal, a_uv, a_tangent get locations 0
-// to 3. Shaders are compiled in this thread (max shader compiler threads 0 where the
-// driver has them). On false, failed_stage and log say what the driver refused;
-// sb_gl_program_free frees the log in either case.
-bool sb_gl_program_make(const char *vertex, const char *fragment,
-                        struct sb_gl_program *program);
+// Overwrites *program; source->role does not matter. Attributes a_position, a_normal, a_uv,
+// a_tangent get locations 0 to 3. Shaders are compiled in this thread (max shader compiler
+// threads 0 where the driver has them). On false, failed_stage and log say what the driver
+// refused; sb_gl_program_free frees the log in either case.
+bool sb_gl_program_make(const struct sb_program *source, struct sb_gl_program *program);
 void sb_gl_program_free(struct sb_gl_program *program); // zeroes it

@@ -20,50 +20,95 @@ static const struct format formats[] = {
 };
 // clang-format on
 
-static bool fits(const struct sb_caps *caps, int width, int height,
-                 enum sb_gl_format format, struct sb_error *err)
+static bool fits(const struct sb_caps *caps, const struct sb_target_params *params,
+                 struct sb_error *err)
 {
     const int64_t limit = caps->renderbuffer_size;
-    if (width < 1 || height < 1 || width > limit || height > limit)
+    const enum sb_gl_format format = params->format;
+    if (params->width < 1 || params->height < 1 || params->width > limit ||
+        params->height > limit)
         return sb_fail(err, SB_OVER_LIMIT,
                        "a target of %d x %d pixels: this driver takes 1 to %lld a side",
-                       width, height, (long long)limit);
+                       params->width, params->height, (long long)limit);
     if ((format == SB_GL_RGBA32F && !caps->colour_float) ||
         (format == SB_GL_RGBA16F && !caps->colour_half))
         return sb_fail(err, SB_OVER_LIMIT,
                        "target %s: this driver cannot draw to it; rgba8 always works",
                        formats[format].name);
+    if (params->samples < 1 || (params->samples > 1 && params->samples > caps->samples))
+        return sb_fail(err, SB_OVER_LIMIT,
+                       "%d samples a pixel: this driver takes 1 to %lld (GL_MAX_SAMPLES)",
+                       params->samples,
+                       (long long)(caps->samples > 1 ? caps->samples : 1));
     return true;
 }
 
-bool sb_target_make(struct sb_target *target, const struct sb_caps *caps, int width,
-                    int height, enum sb_gl_format format, struct sb_error *err)
+static GLuint attach(GLenum attachment, GLenum internal,
+                     const struct sb_target_params *params, int samples)
 {
-    *target = (struct sb_target){.width = width, .height = height, .format = format};
-    if (!fits(caps, width, height, format, err))
+    GLuint name;
+    glGenRenderbuffers(1, &name);
+    glBindRenderbuffer(GL_RENDERBUFFER, name);
+    if (samples > 1)
+        glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, internal,
+                                         params->width, params->height);
+    else
+        glRenderbufferStorage(GL_RENDERBUFFER, internal, params->width, params->height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, name);
+    return name;
+}
+
+// The framebuffer bound is whole, and has as many samples as were asked for: a driver may
+// give more (OpenGL 4.6 core, 9.2.4), which would be another variant.
+static bool complete(const struct sb_caps *caps, const struct sb_target_params *params,
+                     struct sb_error *err)
+{
+    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    GLint samples = 0;
+    glGetIntegerv(GL_SAMPLES, &samples);
+    const char *error = sb_gl_error();
+    if (error || status != GL_FRAMEBUFFER_COMPLETE)
+        return sb_fail(err, SB_OVER_LIMIT,
+                       "a %s target of %d x %d pixels and %d samples: the driver refused "
+                       "it (%s, framebuffer status 0x%04x; its limits are %lld pixels a "
+                       "side and %lld samples)",
+                       formats[params->format].name, params->width, params->height,
+                       params->samples, error ? error : "no error", (unsigned)status,
+                       (long long)caps->renderbuffer_size, (long long)caps->samples);
+    if (params->samples > 1 && samples != params->samples)
+        return sb_fail(
+            err, SB_OVER_LIMIT,
+            "%d samples a pixel: this driver makes %d of them for a %s target; "
+            "it has no more than %lld (GL_MAX_SAMPLES)",
+            params->samples, samples, formats[params->format].name,
+            (long long)caps->samples);
+    return true;
+}
+
+bool sb_target_make(struct sb_target *target, const struct sb_caps *caps,
+                    const struct sb_target_params *params, struct sb_error *err)
+{
+    const GLenum internal = formats[params->format].internal;
+    *target = (struct sb_target){
+        .width = params->width,
+        .height = params->height,
+        .samples = params->samples,
+        .format = params->format,
+    };
+    if (!fits(caps, params, err))
         goto error;
-    glGenRenderbuffers(1, &target->colour);
-    glBindRenderbuffer(GL_RENDERBUFFER, target->colour);
-    glRenderbufferStorage(GL_RENDERBUFFER, formats[format].internal, width, height);
-    glGenRenderbuffers(1, &target->depth);
-    glBindRenderbuffer(GL_RENDERBUFFER, target->depth);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
+    if (params->samples > 1) {
+        glGenFramebuffers(1, &target->resolved);
+        glBindFramebuffer(GL_FRAMEBUFFER, target->resolved);
+        target->resolved_colour = attach(GL_COLOR_ATTACHMENT0, internal, params, 1);
+    }
     glGenFramebuffers(1, &target->framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                              target->colour);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
-                              target->depth);
-    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
-    const char *error = sb_gl_error();
-    if (error || status != GL_FRAMEBUFFER_COMPLETE) {
-        sb_fail(err, SB_OVER_LIMIT,
-                "a %s target of %d x %d pixels: the driver refused it (%s, framebuffer "
-                "status 0x%04x)",
-                formats[format].name, width, height, error ? error : "no error",
-                (unsigned)status);
+    target->colour = attach(GL_COLOR_ATTACHMENT0, internal, params, params->samples);
+    target->depth =
+        attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, params, params->samples);
+    if (!complete(caps, params, err))
         goto error;
-    }
     return true;
 
 error:
@@ -74,9 +119,23 @@ error:
 void sb_target_free(struct sb_target *target)
 {
     glDeleteFramebuffers(1, &target->framebuffer); // 0 is ignored
+    glDeleteFramebuffers(1, &target->resolved);
     glDeleteRenderbuffers(1, &target->depth);
     glDeleteRenderbuffers(1, &target->colour);
+    glDeleteRenderbuffers(1, &target->resolved_colour);
     *target = (struct sb_target){0};
+}
+
+int64_t sb_target_resolve(const struct sb_target *target)
+{
+    if (target->samples == 1)
+        return 0;
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target->resolved);
+    glBlitFramebuffer(0, 0, target->width, target->height, 0, 0, target->width,
+                      target->height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    // Read from here on: reading pixels of a multisampled framebuffer is an error.
+    glBindFramebuffer(GL_FRAMEBUFFER, target->resolved);
+    return 3;
 }
 
 bool sb_target_read(const struct sb_target *target, struct sb_image *image,
@@ -86,7 +145,8 @@ bool sb_target_read(const struct sb_target *target, struct sb_image *image,
     const size_t pixels = (size_t)target->width * (size_t)target->height;
     // Every read format has 4 channels, of at most 4 bytes.
     void *raw = sb_alloc(pixels * 16);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, target->framebuffer);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER,
+                      target->samples > 1 ? target->resolved : target->framebuffer);
     glReadPixels(0, 0, target->width, target->height, format->read_format,
                  format->read_type, raw);
     const char *error = sb_gl_error();

@@ -206,6 +206,24 @@ static bool fail_cycle(struct builder *b, struct place from, int first)
     return false;
 }
 
+static char *read_file(struct builder *b, struct place from, const char *name)
+{
+    for (int i = 0; i < b->params->given_count; i++)
+        if (!strcmp(b->params->given[i].name, name))
+            return sb_arena_strdup(b->arena, b->params->given[i].text);
+    struct sb_error inner;
+    size_t size;
+    const char *path = sb_path_join(b->arena, b->params->root, name);
+    char *data = sb_file_read(b->arena, path, MAX_FILE, &size, &inner);
+    if (!data) {
+        fail_at(b, from, "%s", inner.text);
+    } else if (strlen(data) != size) {
+        fail_at(b, from, "%s: holds a NUL byte; shaders are text", path);
+        data = NULL;
+    }
+    return data;
+}
+
 static bool add_file(struct builder *b, struct place from, const char *name)
 {
     for (int i = 0; i < b->depth; i++)
@@ -217,14 +235,9 @@ static bool add_file(struct builder *b, struct place from, const char *name)
     if (b->depth == MAX_DEPTH)
         return fail_at(b, from, "includes are nested deeper than %d files", MAX_DEPTH);
 
-    struct sb_error inner;
-    size_t size;
-    const char *path = sb_path_join(b->arena, b->params->root, name);
-    char *data = sb_file_read(b->arena, path, MAX_FILE, &size, &inner);
+    char *data = read_file(b, from, name);
     if (!data)
-        return fail_at(b, from, "%s", inner.text);
-    if (strlen(data) != size)
-        return fail_at(b, from, "%s: holds a NUL byte; shaders are text", path);
+        return false;
 
     const int file = b->file_count;
     b->file_name =

@@ -53,6 +53,8 @@ void sb_image_compare(const struct sb_image *a, const struct sb_image *b,
                     difference->x = x;
                     difference->y = y;
                     difference->channel = c;
+                    difference->a = p[c];
+                    difference->b = q[c];
                 }
             }
             difference->pixels += differs;

@@ -43,6 +43,7 @@ struct sb_image_difference {
     double max;        // largest |a-b|; infinity where a and b differ and either is not
                        // finite; two NaN do not differ, nor do 0 and -0
     int x, y, channel; // where; 0, 0, 0 where nothing differs
+    float a, b;        // what stands there; 0, 0 where nothing differs
     long pixels;       // how many pixels differ at all
 };
 // Both images must have the same shape.

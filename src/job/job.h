@@ -30,9 +30,10 @@ struct sb_caps {
 #undef CAP_NUMBER
 };
 
-struct sb_program {   // final GLSL, by role
-    const char *role; // "shade"; later "shadow"
-    const char *vertex, *fragment;
+struct sb_program { // final GLSL, by role
+    const char
+        *role; // "shade": the lit draws; "shadow": the shadow maps; "lamp": unlit draws
+    const char *vertex, *geometry, *fragment; // geometry NULL: none
 };
 
 struct sb_job {  // one variant ready to draw
@@ -46,13 +47,22 @@ struct sb_job {  // one variant ready to draw
 struct sb_prepared {
     struct sb_error error; // OK, COMPILE_FAILED, OVER_LIMIT, GL_ERROR, BAD_INPUT
     int failed_program;    // COMPILE_FAILED: which program …
-    enum sb_failed_stage { SB_STAGE_LINK, SB_STAGE_VERT, SB_STAGE_FRAG } failed_stage;
+    enum sb_failed_stage {
+        SB_STAGE_LINK,
+        SB_STAGE_VERT,
+        SB_STAGE_GEOM,
+        SB_STAGE_FRAG
+    } failed_stage;
     char *log; // … and the driver's words; malloc'd, the caller frees
     double compile_ms, link_ms,
-        first_draw_ms;    // first draw: in the exact measured state, drained
-    int64_t vertices;     // per frame, all draws and layers
-    int64_t fragments;    // covered pixels of the id target, times layers
-    int64_t gl_calls;     // per frame
+        first_draw_ms; // first draw: in the exact measured state, drained
+    int64_t vertices;  // per frame, all draws and layers
+    int64_t fragments; // covered pixels of the id target, times layers
+    int64_t gl_calls;  // per frame
+    int casters;       // point lights that have a shadow map: what SB_IMAGE_SHADOW shows
+    bool
+        draws_shadows; // a frame draws the shadow maps again, so that SB_PART_SHADOWS is a
+                       // part of it
     uint64_t input_hash;  // of every float uploaded
     uint64_t binary_hash; // of the program binaries; 0: the driver has none
 };
@@ -61,6 +71,10 @@ struct sb_shot {
     uint32_t job;
     int frames; // whole frames in the timed batch
     int shrink; // 1; 2 halves width and height (the fragment-bound check)
+    enum sb_shot_part {
+        SB_PART_WHOLE,
+        SB_PART_SHADOWS // only the uploads and the shadow passes of a frame
+    } part;
 };
 
 enum { SB_SAMPLE_DISJOINT = 1, SB_SAMPLE_ABSURD = 2, SB_SAMPLE_LOST = 4 };
@@ -81,7 +95,10 @@ struct sb_image_request {
     enum sb_image_kind {
         SB_IMAGE_COLOUR, // 4 channels, from the job's own program and target format
         SB_IMAGE_ID,     // 1 channel: 0 background, else draw number + 1
+        SB_IMAGE_SHADOW, // 1 channel: the map of one caster, its faces unfolded to a cross of
+                         // 4 x 3 faces, as stored
     } kind;
+    int caster;        // SB_IMAGE_SHADOW: number of the point light
     int width, height; // 0: the job's own
     bool wide;         // draw to the widest float format there is, not the job's own, so
                        // that nothing is clamped or rounded away
@@ -90,17 +107,20 @@ struct sb_image_request {
     int off_first, off_count;
 };
 
-struct sb_precision_probe {
+struct sb_probe {                           // what a driver makes of shaders
     struct sb_precision_reading reading[6]; // fragment highp mediump lowp, then vertex
     int count;
+    int nesting; // conditionals nested in a loop that it compiles and draws right: a power of
+                 // two, up to SB_NESTING_ASKED; 0: none
 };
+enum { SB_NESTING_ASKED = 64 };
 
 struct sb_runner_fns {
     const char *name, *help;
     void *(*open)(const struct sb_context_params *, struct sb_caps *, struct sb_error *);
     bool (*audit)(void *, struct sb_audit *, struct sb_error *); // reads, never judges
     bool (*use_timer)(void *, int source, struct sb_error *); // a place in audit.source
-    bool (*probe)(void *, struct sb_precision_probe *, struct sb_error *);
+    bool (*probe)(void *, struct sb_probe *, struct sb_error *);
     bool (*prepare)(void *, const struct sb_job *, struct sb_prepared *);
     bool (*round)(void *, const struct sb_shot *, int count, struct sb_sample *,
                   struct sb_error *); // in this order

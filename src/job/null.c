@@ -37,7 +37,10 @@ static void *null_open(const struct sb_context_params *params, struct sb_caps *c
         .uniform_block_size = 65536,
         .varying_components = 128,
         .texture_units = 32,
+        .combined_texture_units = 192,
         .texture_size = 16384,
+        .cube_map_size = 16384,
+        .array_layers = 2048,
         .renderbuffer_size = 16384,
         .samples = 8,
         .colour_float = 1,
@@ -45,6 +48,8 @@ static void *null_open(const struct sb_context_params *params, struct sb_caps *c
         .elapsed_bits = 64,
         .timestamp_bits = 64,
         .samples_passed = !params->gles,
+        .geometry_shader = 1,
+        .cube_map_array = 1,
     };
     struct null_runner *null = sb_alloc(sizeof *null);
     null->noise = 1;
@@ -96,11 +101,11 @@ static bool null_use_timer(void *self, int source, struct sb_error *err)
     return true;
 }
 
-static bool null_probe(void *self, struct sb_precision_probe *probe, struct sb_error *err)
+static bool null_probe(void *self, struct sb_probe *probe, struct sb_error *err)
 {
     (void)err;
     note(self, "probe", 0);
-    *probe = (struct sb_precision_probe){.count = 6};
+    *probe = (struct sb_probe){.count = 6, .nesting = SB_NESTING_ASKED};
     for (int i = 0; i < 6; i++)
         probe->reading[i] = (struct sb_precision_reading){
             .vertex_stage = i >= 3,
@@ -188,6 +193,8 @@ static bool null_round(void *self, const struct sb_shot *shots, int count,
                         ? script->frame_ns(script->user, job, &shots[i], null->shots)
                         : made_up_ns(null, job);
         ns *= (double)shots[i].frames / (shots[i].shrink * shots[i].shrink);
+        if (shots[i].part == SB_PART_SHADOWS)
+            ns *= script->shadow_share;
         const double wall = script->wall_over_gpu ? script->wall_over_gpu : 1;
         samples[i] = (struct sb_sample){
             .job = shots[i].job,
@@ -204,6 +211,17 @@ static bool null_round(void *self, const struct sb_shot *shots, int count,
     return true;
 }
 
+// An unfolded cube: the middle row of four faces, and one above and below the second.
+static void draw_cross(struct sb_image *image, float stored)
+{
+    enum { FACE = 8 };
+    sb_image_init(image, 4 * FACE, 3 * FACE, 1);
+    for (int y = 0; y < 3 * FACE; y++)
+        for (int x = 0; x < 4 * FACE; x++)
+            if (y / FACE == 1 || x / FACE == 1)
+                *sb_image_at(image, x, y) = stored * (float)(1 + x) / (4 * FACE);
+}
+
 static bool null_image(void *self, const struct sb_image_request *request,
                        struct sb_image *image, struct sb_error *err)
 {
@@ -217,6 +235,10 @@ static bool null_image(void *self, const struct sb_image_request *request,
     if (null->script.colour)
         colour = null->script.colour(null->script.user, job, request);
     const int side = request->width ? request->width : 64;
+    if (request->kind == SB_IMAGE_SHADOW) {
+        draw_cross(image, 0.25f + 0.125f * (float)request->caster);
+        return true;
+    }
     sb_image_init(image, side, side, request->kind == SB_IMAGE_ID ? 1 : 4);
     for (long i = 0; i < (long)side * side * image->channels; i++)
         image->data[i] = request->kind == SB_IMAGE_ID ? 1 : colour;

@@ -19,6 +19,7 @@ struct sb_null_script {
     unsigned (*flags)(void *user, const struct sb_shot *shot, int64_t count);
     bool (*round_fails)(void *user, int64_t round);
     double wall_over_gpu; // wall clock over timer; 0: 1
+    double shadow_share;  // time of SB_PART_SHADOWS over that of the whole frame
     bool no_credible_timer;
     void *user;
     struct sb_text *log; // one line a call; NULL: none

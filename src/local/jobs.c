@@ -3,7 +3,6 @@
 
 #include <inttypes.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/mem.h"
 
@@ -32,41 +31,58 @@ static void job_free(struct sb_local *local, struct sb_local_job *job)
     sb_pool_ring_put(&local->pool, job->half);
     sb_pool_ring_put(&local->pool, job->ring);
     sb_binding_free(&job->binding);
-    sb_gl_program_free(&job->program);
+    sb_binding_free(&job->lamp);
+    sb_shadow_free(&job->shadow);
+    for (int role = 0; role < SB_LOCAL_ROLE_COUNT; role++)
+        sb_gl_program_free(&job->program[role]);
     sb_pool_scene_put(&local->pool, job->scene);
     free(job);
 }
 
-static bool compile(struct sb_local_job *job, const struct sb_job *request,
-                    struct sb_prepared *result)
+static bool shows_lamps(const struct sb_scene *scene)
 {
-    static const char *const stages[] = {
-        [SB_STAGE_LINK] = "the program does not link",
-        [SB_STAGE_VERT] = "the vertex shader does not compile",
-        [SB_STAGE_FRAG] = "the fragment shader does not compile",
-    };
-    int place = 0;
-    while (place < request->program_count &&
-           strcmp(request->program[place].role, "shade") != 0)
-        place++;
-    if (place == request->program_count)
-        return sb_fail(&result->error, SB_BAD_INPUT,
-                       "job %" PRIu32 " has no program for the role \"shade\"",
-                       request->id);
-    const struct sb_program *source = &request->program[place];
-    const bool ok = sb_gl_program_make(source->vertex, source->fragment, &job->program);
-    result->compile_ms = job->program.compile_ms;
-    result->link_ms = job->program.link_ms;
-    result->binary_hash = job->program.binary_hash;
-    if (ok)
+    for (int i = 0; i < scene->draw_count; i++) {
+        if (scene->draw[i].lamp >= 0)
+            return true;
+    }
+    return false;
+}
+
+// The maps, drawn once: where the casters stand still, that is all that is drawn of them.
+static bool make_shadows(const struct sb_local *local, struct sb_local_job *job,
+                         struct sb_error *err)
+{
+    if (sb_shadow_casters(&job->variant) == 0)
         return true;
-    result->failed_program = place;
-    result->failed_stage = job->program.failed_stage;
-    result->log = sb_strdup(job->program.log ? job->program.log : "");
-    const size_t line = strcspn(result->log, "\n");
-    return sb_fail(&result->error, SB_COMPILE_FAILED, "%s: %.*s",
-                   stages[result->failed_stage], (int)(line < 800 ? line : 800),
-                   result->log);
+    const struct sb_shadow_params params = {
+        .program = job->program[SB_LOCAL_SHADOW].name,
+        .upload = &job->scene->upload,
+        .variant = &job->variant,
+        .caps = &local->caps,
+    };
+    if (!sb_local_has_role(job, SB_LOCAL_SHADOW, err) ||
+        !sb_shadow_make(&job->shadow, &params, err))
+        return false;
+    sb_shadow_set_units(&job->shadow, job->program[SB_LOCAL_SHADE].name);
+    sb_shadow_draw(&job->shadow, &job->shadow.phase[0]);
+    return sb_local_gl_ok("drawing the shadow maps of", job->id, err);
+}
+
+static bool bind_programs(struct sb_local_job *job, struct sb_error *err)
+{
+    struct sb_binding_params params = {
+        .program = job->program[SB_LOCAL_SHADE].name,
+        .upload = &job->scene->upload,
+        .variant = &job->variant,
+    };
+    if (!sb_local_has_role(job, SB_LOCAL_SHADE, err) ||
+        !sb_binding_make(&job->binding, &params, err))
+        return false;
+    if (!shows_lamps(&job->scene->scene))
+        return true;
+    params.program = job->program[SB_LOCAL_LAMP].name;
+    return sb_local_has_role(job, SB_LOCAL_LAMP, err) &&
+           sb_binding_make(&job->lamp, &params, err);
 }
 
 // The first frame in the exact state that is measured: drivers compile for the state, not
@@ -74,16 +90,22 @@ static bool compile(struct sb_local_job *job, const struct sb_job *request,
 static void warm_up(struct sb_local *local, const struct sb_local_job *job,
                     struct sb_prepared *result)
 {
+    const struct sb_shot first = {.job = job->id, .frames = 1, .shrink = 1};
+    const struct sb_shot more = {.job = job->id, .frames = 2, .shrink = 1};
     struct sb_sample sample;
-    sb_local_batch(local, job, &job->ring->ring, 1, &sample, &result->gl_calls);
+    sb_local_batch(local, job, &job->ring->ring, &first, &sample, &result->gl_calls);
     result->first_draw_ms = (double)sample.wall_ns * 1e-6;
-    sb_local_batch(local, job, &job->ring->ring, 2, &sample, NULL);
+    sb_local_batch(local, job, &job->ring->ring, &more, &sample, NULL);
 }
 
 static bool count_work(struct sb_local *local, const struct sb_local_job *job,
                        struct sb_prepared *result)
 {
     result->vertices = sb_scene_triangles(&job->scene->scene) * 3 * job->shape.layers;
+    result->casters = job->shadow.casters;
+    result->draws_shadows = job->shadow.phase_count > 1;
+    if (result->draws_shadows)
+        result->vertices += sb_shadow_vertices(&job->shadow);
 
     struct sb_image id = {0};
     const struct sb_image_request request = {.job = job->id, .kind = SB_IMAGE_ID};
@@ -108,6 +130,7 @@ bool sb_local_prepare(void *self, const struct sb_job *request,
 
     struct sb_local_job *job = sb_alloc(sizeof *job);
     job->id = request->id;
+    job->variant = request->variant;
     job->shape = sb_shape_of(&request->variant);
     job->scene = sb_pool_scene_get(&local->pool, request->scene, &request->variant, err);
     if (!job->scene || !sb_local_gl_ok("uploading the scene of", job->id, err))
@@ -116,9 +139,8 @@ bool sb_local_prepare(void *self, const struct sb_job *request,
     job->ring = sb_pool_ring_get(&local->pool, &local->caps, &job->shape, err);
     if (!job->ring)
         goto error;
-    if (!compile(job, request, result))
-        goto error;
-    if (!sb_binding_make(&job->binding, job->program.name, &job->scene->upload, err))
+    if (!sb_local_compile(job, request, result) || !bind_programs(job, err) ||
+        !make_shadows(local, job, err))
         goto error;
     job->next = local->jobs;
     local->jobs = job;

@@ -51,10 +51,11 @@ static bool audit(void *self, struct sb_audit *readings, struct sb_error *err)
     return sb_gl_audit_read(&local->caps, readings, err);
 }
 
-static bool probe(void *self, struct sb_precision_probe *readings, struct sb_error *err)
+static bool probe(void *self, struct sb_probe *readings, struct sb_error *err)
 {
     const struct sb_local *local = self;
-    return sb_gl_probe_precision(&local->caps, readings, err);
+    return sb_gl_probe_precision(&local->caps, readings, err) &&
+           sb_gl_probe_nesting(&local->caps, &readings->nesting, err);
 }
 
 static bool use_timer(void *self, int source, struct sb_error *err)

@@ -54,7 +54,7 @@ struct sb_shared_ring *sb_pool_ring_get(struct sb_pool *pool, const struct sb_ca
 {
     for (struct sb_shared_ring *old = pool->rings; old; old = old->next) {
         if (old->shape.width == shape->width && old->shape.height == shape->height &&
-            old->shape.format == shape->format) {
+            old->shape.format == shape->format && old->shape.samples == shape->samples) {
             old->users++;
             return old;
         }

@@ -28,32 +28,47 @@ static void read_timer(struct sb_local *local, struct sb_sample *sample)
     sample->gpu_ns = ns;
 }
 
-void sb_local_batch(struct sb_local *local, const struct sb_local_job *job,
-                    const struct sb_ring *ring, int frames, struct sb_sample *sample,
-                    int64_t *calls)
+struct sb_frame_params sb_local_frame(const struct sb_local *local,
+                                      const struct sb_local_job *job)
 {
-    struct sb_frame_params frame = {
+    return (struct sb_frame_params){
         .binding = &job->binding,
+        .lamp = job->lamp.program ? &job->lamp : NULL,
+        .shadow = job->shadow.casters > 0 ? &job->shadow : NULL,
         .layers = job->shape.layers,
+        .phase = -1,
         .gles = local->caps.gles,
     };
+}
+
+void sb_local_batch(struct sb_local *local, const struct sb_local_job *job,
+                    const struct sb_ring *ring, const struct sb_shot *shot,
+                    struct sb_sample *sample, int64_t *calls)
+{
+    struct sb_frame_params frame = sb_local_frame(local, job);
+    frame.shadows_only = shot->part == SB_PART_SHADOWS;
+    const bool moves = job->binding.phase_count > 1;
     int64_t frame_calls = 0;
     const int64_t cpu_begin = sb_cpu_ns();
     const int64_t begin = sb_clock_ns();
     if (local->timer)
         local->timer->begin(&local->query);
-    for (int i = 0; i < frames; i++) {
+    for (int i = 0; i < shot->frames; i++) {
         frame.target = &ring->target[i % SB_RING_SIZE];
+        if (moves)
+            frame.phase = i % job->binding.phase_count;
         frame_calls = sb_frame_draw(&frame);
     }
     if (local->timer)
         local->timer->end(&local->query);
+    if (frame.shadows_only)
+        sb_frame_end_shadows(frame.target);
     const int64_t submitted = sb_clock_ns();
     sb_gl_drain();
     const int64_t drained = sb_clock_ns();
     *sample = (struct sb_sample){
         .job = job->id,
-        .frames = frames,
+        .frames = shot->frames,
         .wall_ns = drained - begin,
         .cpu_ns = sb_cpu_ns() - cpu_begin,
         .submit_ns = submitted - begin,
@@ -63,21 +78,29 @@ void sb_local_batch(struct sb_local *local, const struct sb_local_job *job,
         *calls = frame_calls;
 }
 
+static bool makes_sense(const struct sb_local_job *job, const struct sb_shot *shot,
+                        struct sb_error *err)
+{
+    if (shot->frames < 1 || shot->shrink < 1 || shot->shrink > 2)
+        return sb_fail(err, SB_INTERNAL,
+                       "job %" PRIu32 ": %d frames, shrink %d; valid: at least 1 frame, "
+                       "shrink 1 or 2",
+                       shot->job, shot->frames, shot->shrink);
+    if (shot->part != SB_PART_WHOLE && job->shadow.phase_count <= 1)
+        return sb_fail(err, SB_INTERNAL,
+                       "job %" PRIu32 ": part %d of a frame; this job's frames draw no "
+                       "shadow maps, so valid is the whole",
+                       shot->job, (int)shot->part);
+    return true;
+}
+
 // The targets that a shot draws into.
 static const struct sb_ring *ring_of(struct sb_local *local, const struct sb_shot *shot,
                                      struct sb_error *err)
 {
     struct sb_local_job *job = sb_local_job_find(local, shot->job, err);
-    if (!job)
+    if (!job || !makes_sense(job, shot, err))
         return NULL;
-    if (shot->frames < 1 || shot->shrink < 1 || shot->shrink > 2) {
-        sb_fail(err, SB_INTERNAL,
-                "job %" PRIu32
-                ": %d frames, shrink %d; valid: at least 1 frame, shrink 1 "
-                "or 2",
-                shot->job, shot->frames, shot->shrink);
-        return NULL;
-    }
     if (shot->shrink == 1)
         return &job->ring->ring;
     if (!job->half) {
@@ -100,7 +123,7 @@ bool sb_local_round(void *self, const struct sb_shot *shots, int count,
     for (int i = 0; i < count; i++) {
         const struct sb_local_job *job = sb_local_job_find(local, shots[i].job, err);
         const struct sb_ring *ring = ring_of(local, &shots[i], err);
-        sb_local_batch(local, job, ring, shots[i].frames, &samples[i], NULL);
+        sb_local_batch(local, job, ring, &shots[i], &samples[i], NULL);
         if (!sb_local_gl_ok("measuring", shots[i].job, err))
             return false;
     }

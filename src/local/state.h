@@ -6,6 +6,7 @@
 #include "gl/timer.h"
 #include "local/local.h"
 #include "render/render.h"
+#include "render/shadow.h"
 
 // --- things that jobs share, by reference count (pool.c) -------------------------------
 
@@ -40,13 +41,22 @@ void sb_pool_ring_put(struct sb_pool *pool, struct sb_shared_ring *ring); // NUL
 
 // --- the runner ------------------------------------------------------------------------
 
+enum sb_local_role {
+    SB_LOCAL_SHADE,
+    SB_LOCAL_SHADOW,
+    SB_LOCAL_LAMP,
+    SB_LOCAL_ROLE_COUNT
+};
+
 struct sb_local_job {
     struct sb_local_job *next;
     uint32_t id;
+    struct sb_variant variant;
     struct sb_shape shape;
     struct sb_shared_scene *scene;
-    struct sb_gl_program program;
-    struct sb_binding binding;
+    struct sb_gl_program program[SB_LOCAL_ROLE_COUNT]; // name 0: the job has none
+    struct sb_binding binding, lamp;                   // of the lit draws, and of lamps
+    struct sb_shadow shadow;                           // casters 0: none
     struct sb_shared_ring *ring, *half; // half: for shots with shrink=2, made on demand
 };
 
@@ -61,6 +71,13 @@ struct sb_local {
     struct sb_local_job *jobs;
 };
 
+// Compiles the job's programs; what fails, and how long it took, goes into *result.
+bool sb_local_compile(struct sb_local_job *job, const struct sb_job *request,
+                      struct sb_prepared *result);
+// SB_BAD_INPUT where the job has no such program.
+bool sb_local_has_role(const struct sb_local_job *job, enum sb_local_role role,
+                       struct sb_error *err);
+
 bool sb_local_prepare(void *self, const struct sb_job *request,
                       struct sb_prepared *result);
 bool sb_local_round(void *self, const struct sb_shot *shots, int count,
@@ -73,11 +90,16 @@ void sb_local_release(void *self, uint32_t id);
 struct sb_local_job *sb_local_job_find(const struct sb_local *local, uint32_t id,
                                        struct sb_error *err);
 
-// One timed batch: nothing but clocks and the timer between the first command and the
-// drain, nothing in flight afterwards. *calls (may be NULL): GL calls of one frame.
+// A frame of the job's own programs, its lights as they were last uploaded.
+struct sb_frame_params sb_local_frame(const struct sb_local *local,
+                                      const struct sb_local_job *job);
+
+// One timed batch of shot->frames: nothing but clocks and the timer between the first
+// command and the drain, nothing in flight afterwards. *calls (may be NULL): GL calls of
+// one frame. Moving lights are left at the phase of the last frame.
 void sb_local_batch(struct sb_local *local, const struct sb_local_job *job,
-                    const struct sb_ring *ring, int frames, struct sb_sample *sample,
-                    int64_t *calls);
+                    const struct sb_ring *ring, const struct sb_shot *shot,
+                    struct sb_sample *sample, int64_t *calls);
 
 // False with SB_GL_ERROR where the driver has reported one since the last call; `what`
 // was being done to the job: "preparing".

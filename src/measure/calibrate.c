@@ -7,6 +7,11 @@
 
 enum { MAX_BATCH = 4096 };
 
+static struct sb_shot whole_frames(const struct sb_task *task, int frames)
+{
+    return (struct sb_shot){.job = task->assembly.job.id, .frames = frames, .shrink = 1};
+}
+
 // One shot's time for the whole batch, in ns, by the timer in use. A flagged sample (absurd,
 // disjoint, lost) is no time: it is taken again, a few times.
 static bool shoot(const struct sb_driver *driver, const struct sb_shot *shot, double *ns,
@@ -60,7 +65,7 @@ bool sb_calibrate_batch(struct sb_task *task, const struct sb_driver *driver,
     const double wanted = wanted_ns(driver, settings);
     for (int step = 0; step < 16; step++) {
         double ns;
-        const struct sb_shot shot = {task->assembly.job.id, task->batch, 1};
+        const struct sb_shot shot = whole_frames(task, task->batch);
         if (!shoot_least(driver, &shot, &ns, err))
             return false;
         if (ns >= wanted || task->batch >= MAX_BATCH)
@@ -78,7 +83,7 @@ static double warm_round(struct sb_task *tasks, int count, const struct sb_drive
     double total = 0, ns;
     for (int i = 0; i < count; i++) {
         struct sb_error err = {0};
-        const struct sb_shot shot = {tasks[i].assembly.job.id, tasks[i].batch, 1};
+        const struct sb_shot shot = whole_frames(&tasks[i], tasks[i].batch);
         if (!sb_task_sound(&tasks[i]))
             continue;
         if (shoot(driver, &shot, &ns, &err))
@@ -120,7 +125,8 @@ bool sb_check_fragment_bound(struct sb_task *task, const struct sb_driver *drive
     const uint32_t id = task->assembly.job.id;
     // Batches of about equal length, so that constant costs of a batch weigh on both alike;
     // in pairs, so that a machine that slows down hits both.
-    const struct sb_shot large = {id, task->batch, 1}, small = {id, task->batch * 4, 2};
+    const struct sb_shot large = whole_frames(task, task->batch);
+    const struct sb_shot small = {.job = id, .frames = task->batch * 4, .shrink = 2};
     for (int i = 0; i < PAIRS; i++) {
         double whole, quarter;
         if (!shoot(driver, &large, &whole, err) || !shoot(driver, &small, &quarter, err))
@@ -131,5 +137,30 @@ bool sb_check_fragment_bound(struct sb_task *task, const struct sb_driver *drive
     task->growth = sb_median(ratio, PAIRS);
     if (task->growth < 3)
         task->status = SB_NOT_FRAGMENT_BOUND;
+    return true;
+}
+
+bool sb_split_shadows(struct sb_task *task, const struct sb_driver *driver,
+                      struct sb_error *err)
+{
+    enum { PAIRS = 15 };
+    double share[PAIRS], whole, part;
+    if (!task->prepared.draws_shadows)
+        return true;
+    const struct sb_shot frames = whole_frames(task, task->batch);
+    struct sb_shot shadows = frames;
+    shadows.part = SB_PART_SHADOWS;
+    if (!shoot_least(driver, &frames, &whole, err) ||
+        !shoot_least(driver, &shadows, &part, err))
+        return false;
+    const double longer = round(whole / fmax(part, 1));
+    shadows.frames = (int)fmin(frames.frames * fmin(fmax(longer, 1), 16), MAX_BATCH);
+    for (int i = 0; i < PAIRS; i++) {
+        if (!shoot(driver, &frames, &whole, err) || !shoot(driver, &shadows, &part, err))
+            return false;
+        share[i] = (part / shadows.frames) / (whole / frames.frames);
+    }
+    sb_sort_doubles(share, PAIRS);
+    task->shadow_share = sb_median(share, PAIRS);
     return true;
 }

@@ -19,3 +19,9 @@ void sb_warm_up(struct sb_task *tasks, int count, const struct sb_driver *driver
 // A quarter of the pixels must take a third of the time or less; else NOT_FRAGMENT_BOUND.
 bool sb_check_fragment_bound(struct sb_task *task, const struct sb_driver *driver,
                              struct sb_error *err);
+
+// Where a frame draws its shadow maps again: the share of its time that they take, the median
+// of 15 pairs of a batch of whole frames and one of nothing but shadow maps, of about equal
+// length.
+bool sb_split_shadows(struct sb_task *task, const struct sb_driver *driver,
+                      struct sb_error *err);

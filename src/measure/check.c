@@ -14,9 +14,8 @@ enum {
 // rasteriser would take minutes.
 static const int64_t LIGHT_CHECK_NS = INT64_C(10000000000);
 
-// Linear light, full scale 1. Implementations may add the same numbers in another order: a
-// sum of 768 lights then differs by some 768 x 2^-24.
-static const double CLASS_BOUND = 1e-4;
+// Of the twins: above the numbers of all tasks.
+static const uint32_t TWIN = UINT32_C(1) << 31;
 
 // Counts over the pixels that the scene covers; the background says nothing of the shader.
 static bool count_values(const struct sb_image *colour, const struct sb_image *id,
@@ -117,7 +116,8 @@ static bool check_last_lights(struct sb_task *task, const struct sb_driver *driv
 {
     int end = 0, stopped;
     for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++) {
-        const int count = (int)task->entry->variant.value[sb_light_types[type].axis];
+        const int count =
+            sb_lights_shining(&task->entry->variant, (enum sb_light_type)type);
         end += count;
         if (count && !check_one_by_one(task, driver, end - 1, end, &stopped, err))
             return false;
@@ -125,15 +125,65 @@ static bool check_last_lights(struct sb_task *task, const struct sb_driver *driv
     return true;
 }
 
-void sb_check_lights(struct sb_task *task, const struct sb_driver *driver, bool thorough)
+// Is the picture of the twin that of the task?
+static bool check_twin(struct sb_task *task, const struct sb_task *twin,
+                       const struct sb_driver *driver, struct sb_error *err)
+{
+    struct sb_image mine = {0}, theirs = {0};
+    const bool good = small_picture(task, driver, 0, 0, &mine, err) &&
+                      small_picture(twin, driver, 0, 0, &theirs, err) &&
+                      sb_check_pair(
+                          &(struct sb_class_pair){
+                              .id = task->entry->id,
+                              .other_id = "the same lights as uniforms",
+                              .picture = &mine,
+                              .other = &theirs,
+                              .exact = sb_platform_class_exact(&task->entry->variant),
+                          },
+                          &task->class_spread, err);
+    sb_image_free(&mine);
+    sb_image_free(&theirs);
+    return good;
+}
+
+// False: there is no twin whose lights could be checked, and the task knows why.
+static bool make_twin(struct sb_task *task, const struct sb_prepare_params *params,
+                      struct sb_task *twin)
+{
+    struct sb_prepare_params movable = *params;
+    struct sb_error err = {0};
+    movable.movable_lights = true;
+    *twin = (struct sb_task){.entry = task->entry};
+    sb_task_prepare(twin, &movable, task->assembly.job.id | TWIN);
+    if (twin->loaded && check_twin(task, twin, params->driver, &err))
+        return true;
+    // That as many lights do not fit into uniforms is no fault of the constants.
+    if (twin->status == SB_OVER_LIMIT)
+        sb_task_note(task, "the lights, which are constants, were not checked: %s",
+                     sb_text_get(&twin->note));
+    else if (!twin->loaded)
+        sb_fail(&err, twin->status, "the same lights as uniforms: %s",
+                sb_text_get(&twin->note));
+    if (err.status != SB_OK)
+        sb_task_fail(task, &err);
+    sb_task_free(twin, params->driver);
+    return false;
+}
+
+void sb_check_lights(struct sb_task *task, const struct sb_prepare_params *params,
+                     bool thorough)
 {
     const int count = sb_task_light_count(task);
     int stopped = count;
     struct sb_error err = {0};
-    if (count == 0)
+    struct sb_task twin = {0};
+    const bool fixed = task->assembly.lights_fixed;
+    if (count == 0 || (fixed && !make_twin(task, params, &twin)))
         return;
-    const bool good = thorough ? check_one_by_one(task, driver, 0, count, &stopped, &err)
-                               : check_last_lights(task, driver, &err);
+    struct sb_task *lit = fixed ? &twin : task;
+    const bool good =
+        thorough ? check_one_by_one(lit, params->driver, 0, count, &stopped, &err)
+                 : check_last_lights(lit, params->driver, &err);
     // Lit per vertex, a light may fall between the vertices: an error of the stage, that the
     // reader should know of, but the program did its work.
     if (!good && err.status == SB_DEAD_LIGHT && task->assembly.lit_per_vertex)
@@ -144,6 +194,25 @@ void sb_check_lights(struct sb_task *task, const struct sb_driver *driver, bool 
         sb_task_note(task,
                      "%d of %d lights were checked, for as long as a check may take",
                      stopped, count);
+    if (fixed)
+        sb_task_free(&twin, params->driver);
+}
+
+bool sb_check_pair(const struct sb_class_pair *pair, double *spread, struct sb_error *err)
+{
+    static const char *const channels[] = {"red", "green", "blue", "alpha"};
+    struct sb_image_difference difference;
+    sb_image_compare(pair->picture, pair->other, &difference);
+    *spread = fmax(*spread, difference.max); // fmax passes over NAN
+    if (!pair->exact || difference.max <= SB_CLASS_BOUND)
+        return true;
+    return sb_fail(
+        err, SB_CLASS_BROKEN,
+        "%s differs from %s by %g at pixel (%d, %d) of %d x %d, and should not: "
+        "%s is %.9g, not %.9g",
+        pair->id, pair->other_id, difference.max, difference.x, difference.y,
+        pair->picture->width, pair->picture->height, channels[difference.channel],
+        (double)difference.a, (double)difference.b);
 }
 
 void sb_check_class(struct sb_task *task, struct sb_task *other,
@@ -151,20 +220,16 @@ void sb_check_class(struct sb_task *task, struct sb_task *other,
 {
     struct sb_error err = {0};
     struct sb_image mine = {0}, theirs = {0};
-    struct sb_image_difference difference;
-    const bool drawn = small_picture(task, driver, 0, 0, &mine, &err) &&
-                       small_picture(other, driver, 0, 0, &theirs, &err);
-    if (drawn) {
-        sb_image_compare(&mine, &theirs, &difference);
-        task->class_spread = fmax(task->class_spread, difference.max);
-        if (difference.max > CLASS_BOUND &&
-            sb_platform_class_exact(&task->entry->variant))
-            sb_fail(&err, SB_CLASS_BROKEN,
-                    "differs from %s by %g at (%d, %d) of %d x %d, and should not",
-                    other->entry->id, difference.max, difference.x, difference.y,
-                    LIGHT_CHECK_SIDE, LIGHT_CHECK_SIDE);
-    }
-    if (err.status != SB_OK)
+    const struct sb_class_pair pair = {
+        .id = task->entry->id,
+        .other_id = other->entry->id,
+        .picture = &mine,
+        .other = &theirs,
+        .exact = sb_platform_class_exact(&task->entry->variant),
+    };
+    if (!small_picture(task, driver, 0, 0, &mine, &err) ||
+        !small_picture(other, driver, 0, 0, &theirs, &err) ||
+        !sb_check_pair(&pair, &task->class_spread, &err))
         sb_task_fail(task, &err);
     sb_image_free(&mine);
     sb_image_free(&theirs);

@@ -62,12 +62,18 @@ static bool explain_timer(const struct sb_driver *driver, const char *wanted,
     return sb_fail_unknown(err, "", "timer", wanted, names, audit->source_count);
 }
 
-bool sb_driver_examine(const struct sb_driver_params *params, struct sb_driver *driver,
+bool sb_driver_connect(const struct sb_driver_params *params, struct sb_driver *driver,
                        struct sb_error *err)
 {
     *driver = (struct sb_driver){.fns = params->runner, .timer = -1};
     driver->runner = params->runner->open(&params->context, &driver->caps, err);
-    if (!driver->runner)
+    return driver->runner != NULL;
+}
+
+bool sb_driver_examine(const struct sb_driver_params *params, struct sb_driver *driver,
+                       struct sb_error *err)
+{
+    if (!sb_driver_connect(params, driver, err))
         return false;
     if (!audit(driver, params->timer, err) ||
         !driver->fns->probe(driver->runner, &driver->probe, err)) {

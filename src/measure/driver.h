@@ -16,7 +16,7 @@ struct sb_driver {
     struct sb_caps caps;
     struct sb_audit audit;
     int timer; // place in audit.source
-    struct sb_precision_probe probe;
+    struct sb_probe probe;
     struct sb_precision_verdict verdict[6]; // of each reading of the probe
 };
 
@@ -28,6 +28,11 @@ struct sb_driver {
 bool sb_driver_open(const struct sb_driver_params *params, struct sb_driver *driver,
                     struct sb_error *err);
 void sb_driver_close(struct sb_driver *driver);
+
+// Opens, and asks for nothing but the caps: for whoever draws and does not measure.
+// driver->timer is -1.
+bool sb_driver_connect(const struct sb_driver_params *params, struct sb_driver *driver,
+                       struct sb_error *err);
 
 // As sb_driver_open, but it is no failure that no timer is credible (driver->timer is -1):
 // for `probe`, whose business it is to say so.

@@ -51,9 +51,9 @@ extern char **environ;
 json_t *sb_environment_json(void)
 {
     static const char *const prefixes[] = {
-        "MESA_", "LIBGL_", "GALLIUM_", "LP_",     "SOFTPIPE_", "EGL_",
-        "__GL_", "__EGL",  "ZINK_",    "VK_",     "DRI_PRIME", "vblank_mode",
-        "LVP_",  "NIR_",   "ST_",      "DISPLAY", "WAYLAND_",  "SHADEBENCH_",
+        "MESA_", "LIBGL_", "GALLIUM_", "GALLIVM_", "LP_",         "SOFTPIPE_",   "EGL_",
+        "__GL_", "__EGL",  "ZINK_",    "VK_",      "DRI_PRIME",   "vblank_mode", "LVP_",
+        "NIR_",  "ST_",    "DISPLAY",  "WAYLAND_", "SHADEBENCH_",
     };
     json_t *object = json_object();
     for (char **entry = environ; *entry; entry++) {

@@ -43,7 +43,8 @@ static bool run_round(const struct sb_rounds *rounds, int round, const int *acti
     sb_schedule_order((uint64_t)rounds->settings->seed, count, round, order);
     for (int i = 0; i < count; i++) {
         const struct sb_task *task = &rounds->task[active[order[i]]];
-        shot[i] = (struct sb_shot){task->assembly.job.id, task->batch, 1};
+        shot[i] = (struct sb_shot){
+            .job = task->assembly.job.id, .frames = task->batch, .shrink = 1};
     }
     const struct sb_driver *driver = rounds->driver;
     const bool good = driver->fns->round(driver->runner, shot, count, sample, err);

@@ -4,11 +4,12 @@
 
 #include "base/clock.h"
 #include "base/file.h"
-#include "base/hash.h"
 #include "base/log.h"
 #include "measure/calibrate.h"
 #include "measure/check.h"
+#include "measure/dump.h"
 #include "measure/interrupt.h"
+#include "measure/pictures.h"
 #include "measure/record.h"
 #include "measure/resume.h"
 #include "measure/rounds.h"
@@ -73,14 +74,19 @@ static void show_stage(const char *what, int done, int count)
     sb_progress(line);
 }
 
-static void prepare_all(struct sb_run_state *run)
+static struct sb_prepare_params prepare_params(const struct sb_run_state *run)
 {
-    const struct sb_prepare_params params = {
+    return (struct sb_prepare_params){
         .suite = run->params->suite,
         .driver = &run->driver,
         .data_dir = run->params->data_dir,
         .shaders = run->params->shaders,
     };
+}
+
+static void prepare_all(struct sb_run_state *run)
+{
+    const struct sb_prepare_params params = prepare_params(run);
     for (int i = 0; i < run->task_count && !sb_interrupted(); i++) {
         show_stage("compiling variant", i, run->task_count);
         sb_task_prepare(&run->task[i], &params, (uint32_t)i + 1);
@@ -99,7 +105,7 @@ static bool has_fewer_lights(const struct sb_run_state *run, const struct sb_tas
 {
     struct sb_variant raised = task->entry->variant;
     for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++) {
-        const int axis = sb_light_types[type].axis;
+        const int axis = sb_light_structs[type].axis;
         if (raised.value[axis] > other->entry->variant.value[axis])
             return false;
         raised.value[axis] = other->entry->variant.value[axis];
@@ -132,52 +138,45 @@ static struct sb_task *class_mate(const struct sb_run_state *run,
 
 static void check_all(struct sb_run_state *run)
 {
+    const struct sb_prepare_params params = prepare_params(run);
     for (int i = 0; i < run->task_count && !sb_interrupted(); i++) {
         struct sb_task *task = &run->task[i], *mate;
         show_stage("checking picture", i, run->task_count);
         if (sb_task_sound(task))
             sb_check_picture(task, &run->driver);
         if (sb_task_sound(task))
-            sb_check_lights(task, &run->driver, !is_covered(run, task));
+            sb_check_lights(task, &params, !is_covered(run, task));
         if (sb_task_sound(task) && (mate = class_mate(run, task)))
             sb_check_class(task, mate, &run->driver);
     }
 }
 
-static bool write_image(struct sb_run_state *run, const struct sb_task *task,
-                        const char *folder, struct sb_arena *arena, struct sb_error *err)
-{
-    // File names end at 255 bytes on most systems; a long id goes on as a hash.
-    enum { ID_MAX = 180 };
-    const char *id = task->entry->id;
-    const uint64_t hash = sb_hash(SB_HASH_START, id, strlen(id));
-    const char *name =
-        strlen(id) <= ID_MAX
-            ? sb_arena_printf(arena, "%s-%s.png", task->entry->scene, id)
-            : sb_arena_printf(arena, "%s-%.*s-%016llx.png", task->entry->scene, ID_MAX,
-                              id, (unsigned long long)hash);
-    struct sb_image image = {0};
-    const struct sb_image_request request = {.job = task->assembly.job.id,
-                                             .kind = SB_IMAGE_COLOUR};
-    const bool good = run->driver.fns->image(run->driver.runner, &request, &image, err) &&
-                      sb_image_write_png(&image, sb_path_join(arena, folder, name), err);
-    sb_image_free(&image);
-    return good;
-}
-
 // Pictures are an extra: one that cannot be had or written is told, and the run goes on.
 static void write_images(struct sb_run_state *run)
 {
-    struct sb_arena arena = {0};
     struct sb_error err = {0};
-    const char *folder = sb_path_join(&arena, run->params->dir, "images");
-    bool good = sb_dir_make(folder, &err);
-    for (int i = 0; good && i < run->task_count; i++)
-        good =
-            !run->task[i].loaded || write_image(run, &run->task[i], folder, &arena, &err);
-    if (!good)
+    const struct sb_pictures_params params = {
+        .task = run->task,
+        .task_count = run->task_count,
+        .driver = &run->driver,
+        .dir = run->params->dir,
+    };
+    if (!sb_pictures_write(&params, &err))
         sb_warn("%s; the run goes on without further pictures", err.text);
-    sb_arena_free(&arena);
+}
+
+// A dump is what was asked for: one that cannot be written ends the run, before anything is
+// measured.
+static bool write_dumps(struct sb_run_state *run, struct sb_error *err)
+{
+    for (int i = 0; i < run->task_count && !sb_interrupted(); i++) {
+        show_stage("dumping variant", i, run->task_count);
+        if (run->task[i].loaded &&
+            !sb_dump(&run->task[i], &run->driver, &run->params->suite->axes,
+                     run->params->dump, err))
+            return false;
+    }
+    return true;
 }
 
 // Has one of the interrupted processes before this one measured the task to the end?
@@ -227,6 +226,16 @@ static void check_fragment_bound(struct sb_run_state *run)
     }
 }
 
+static void split_shadows(struct sb_run_state *run)
+{
+    for (int i = 0; i < run->task_count && !sb_interrupted(); i++) {
+        struct sb_task *task = &run->task[i];
+        struct sb_error failure = {0};
+        if (sb_task_sound(task) && !sb_split_shadows(task, &run->driver, &failure))
+            sb_task_fail(task, &failure);
+    }
+}
+
 // Cold frames take longer, so batches found before the warm-up may be too short after it.
 static void make_ready(struct sb_run_state *run)
 {
@@ -234,6 +243,7 @@ static void make_ready(struct sb_run_state *run)
     sb_warm_up(run->task, run->task_count, &run->driver, &run->params->suite->measure);
     calibrate_all(run);
     check_fragment_bound(run);
+    split_shadows(run);
 }
 
 // --- the rounds ------------------------------------------------------------------------------
@@ -281,6 +291,8 @@ static bool measure(struct sb_run_state *run, struct sb_error *err)
     check_all(run);
     if (run->params->images)
         write_images(run);
+    if (run->params->dump && !write_dumps(run, err))
+        return false;
     make_ready(run);
     activate(run);
     if (!write_files(run, false, err))
@@ -311,6 +323,26 @@ static bool copy_suite(const struct sb_run_params *params, struct sb_error *err)
     return good;
 }
 
+// Pictures and dumps need no timer: they are written on a driver or a busy machine, too, where
+// none is to be believed.
+static void draw_untimed(struct sb_run_state *run, const struct sb_driver_params *driver)
+{
+    const struct sb_run_params *params = run->params;
+    struct sb_error err = {0};
+    if ((!params->images && !params->dump) ||
+        !sb_driver_connect(driver, &run->driver, &err))
+        return;
+    prepare_all(run);
+    check_all(run);
+    if (params->images)
+        write_images(run);
+    if (params->dump && !write_dumps(run, &err))
+        sb_warn("%s", err.text);
+    sb_progress("");
+    sb_warn("pictures are in %s; nothing was measured",
+            params->dump ? params->dump : params->dir);
+}
+
 static bool open_all(struct sb_run_state *run, struct sb_error *err)
 {
     const struct sb_run_params *params = run->params;
@@ -326,8 +358,11 @@ static bool open_all(struct sb_run_state *run, struct sb_error *err)
     if (!run->store || !copy_suite(params, err))
         return false;
     sb_progress("opening the context and auditing its timers");
-    if (!sb_driver_open(&driver, &run->driver, err))
+    if (!sb_driver_open(&driver, &run->driver, err)) {
+        if (err->status == SB_NO_TIMER && !params->append)
+            draw_untimed(run, &driver);
         return false;
+    }
     sb_progress("");
     return !params->append ||
            (sb_earlier_check_driver(&run->earlier, &run->driver.caps, err) &&

@@ -308,6 +308,10 @@ static void fill_times(const struct sb_summary_params *params, const struct sb_t
         row->wall_ms = clock_level(&basis, wall_ms);
         row->submit_ms = clock_level(&basis, submit_ms);
     }
+    if (task->loaded) { // NAN where it draws none
+        row->shadow_ms = task->shadow_share * row->median_ms;
+        row->shading_ms = row->median_ms - row->shadow_ms;
+    }
     if (row->fragments > 0)
         row->ns_per_fragment = row->median_ms * 1e6 / (double)row->fragments;
     basis_free(&basis);

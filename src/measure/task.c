@@ -1,9 +1,11 @@
+#include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "assemble/platform.h"
+#include "base/hash.h"
 #include "measure/task.h"
 #include "scene/lights.h"
 
@@ -25,6 +27,23 @@ void sb_task_fail(struct sb_task *task, const struct sb_error *err)
     task->active = false;
 }
 
+char *sb_task_file_name(const struct sb_task *task, struct sb_arena *arena)
+{
+    enum { ID_MAX = 180 }; // file names end at 255 bytes on most systems
+    const char *id = task->entry->id;
+    char *name = sb_arena_printf(arena, "%s-%.*s", task->entry->scene, ID_MAX, id);
+    bool whole = strlen(id) <= ID_MAX;
+    for (char *p = name; *p; p++) // the words of a suite's own axes may hold anything
+        if (!isalnum((unsigned char)*p) && !strchr("-_.,=+", *p)) {
+            *p = '_';
+            whole = false;
+        }
+    return whole ? name
+                 : sb_arena_printf(
+                       arena, "%s-%016llx", name,
+                       (unsigned long long)sb_hash(SB_HASH_START, id, strlen(id)));
+}
+
 bool sb_task_sound(const struct sb_task *task)
 {
     return task->loaded && sb_status_rows[task->status].exit_code == 0;
@@ -34,16 +53,17 @@ int sb_task_light_count(const struct sb_task *task)
 {
     int count = 0;
     for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++)
-        count += (int)task->entry->variant.value[sb_light_types[type].axis];
+        count += sb_lights_shining(&task->entry->variant, (enum sb_light_type)type);
     return count;
 }
 
 void sb_task_light_name(const struct sb_task *task, int index, struct sb_text *text)
 {
     for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++) {
-        const int count = (int)task->entry->variant.value[sb_light_types[type].axis];
+        const int count =
+            sb_lights_shining(&task->entry->variant, (enum sb_light_type)type);
         if (index < count) {
-            sb_text_printf(text, "%s %d", sb_light_types[type].name, index);
+            sb_text_printf(text, "%s %d", sb_light_structs[type].name, index);
             return;
         }
         index -= count;
@@ -105,10 +125,11 @@ void sb_task_prepare(struct sb_task *task, const struct sb_prepare_params *param
         .variant = &task->entry->variant,
         .caps = &driver->caps,
         .id = id,
+        .movable_lights = params->movable_lights,
     };
     struct sb_error err = {0};
     task->nonfinite = task->negative = SB_NO_COUNT;
-    task->class_spread = NAN;
+    task->class_spread = task->shadow_share = NAN;
     if (!sb_assemble(&assemble, &task->assembly, &err)) {
         sb_task_fail(task, &err);
         return;

@@ -21,8 +21,9 @@ struct sb_task {
     double
         class_spread; // largest difference to the class; NAN: alone in it, or unchecked
     // calibrate
-    int batch;     // frames a batch
-    double growth; // time over that of a quarter of the pixels; 0: not known
+    int batch;           // frames a batch
+    double growth;       // time over that of a quarter of the pixels; 0: not known
+    double shadow_share; // of a frame, that its shadow maps take; NAN: it draws none
     // rounds
     bool active;                  // still measured in this process
     const char *stop;             // half_width, budget, rounds, interrupted
@@ -37,6 +38,10 @@ void sb_task_note(struct sb_task *task, const char *format, ...)
 // The first failure stays: sets status, appends the text to the note, and takes the task out
 // of the measuring.
 void sb_task_fail(struct sb_task *task, const struct sb_error *err);
+
+// "SCENE-ID", for a file or folder of the task's own; an id that is too long for that, or
+// holds more than letters, digits and "-_.,=+", goes on as a hash.
+char *sb_task_file_name(const struct sb_task *task, struct sb_arena *arena);
 
 // Is there anything left to measure? False once a check failed.
 bool sb_task_sound(const struct sb_task *task);
@@ -57,6 +62,7 @@ struct sb_prepare_params {
     const struct sb_suite *suite;
     const struct sb_driver *driver;
     const char *data_dir, *shaders;
+    bool movable_lights; // of sb_assemble_params
 };
 
 // Assembles and prepares: afterwards the task is loaded, or its status says why not.

@@ -1,77 +1,193 @@
 // A program bound to a scene: where its uniforms are, and those that stay for all frames.
-#include "render/render.h"
+#include "render/shadow.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/mem.h"
+#include "math/mat.h"
 
-static const char *const map_names[SB_MAP_COUNT] = {
-    [SB_MAP_DIFFUSE] = "u_diffuse_map",
-    [SB_MAP_SPECULAR] = "u_specular_map",
-    [SB_MAP_NORMAL] = "u_normal_map",
+// --- materials in a block --------------------------------------------------------------
+
+static const struct {
+    const char *name;
+    size_t source; // in struct sb_material
+    size_t size;
+} material_fields[] = {
+    {"u_material.ambient", offsetof(struct sb_material, ambient), 3 * sizeof(float)},
+    {"u_material.diffuse", offsetof(struct sb_material, diffuse), 3 * sizeof(float)},
+    {"u_material.specular", offsetof(struct sb_material, specular), 3 * sizeof(float)},
+    {"u_material.shininess", offsetof(struct sb_material, shininess), sizeof(float)},
 };
+enum { MATERIAL_FIELDS = sizeof material_fields / sizeof *material_fields };
 
-// Offsets are asked for rather than computed from the C structs: that is right for every
-// block layout and for a block with fewer lights than the scene has.
-static struct sb_light_slot find_slot(GLuint program, GLuint block, const char *name)
-{
-    struct sb_light_slot slot = {glGetUniformLocation(program, name), -1};
-    if (slot.location >= 0 || block == GL_INVALID_INDEX)
-        return slot;
-    GLuint index;
-    glGetUniformIndices(program, 1, &name, &index);
-    if (index != GL_INVALID_INDEX)
-        glGetActiveUniformsiv(program, 1, &index, GL_UNIFORM_OFFSET, &slot.offset);
-    return slot;
-}
-
-static void find_lights(struct sb_binding *binding)
+// One buffer with a range for each material, so that a draw only says which range it takes.
+static void make_materials(struct sb_binding *binding)
 {
     const GLuint program = binding->program;
-    const struct sb_lights *lights = &binding->upload->scene->lights;
-    const GLuint block = glGetUniformBlockIndex(program, "Lights");
-    if (block != GL_INVALID_INDEX) {
-        glUniformBlockBinding(program, block, 0);
-        glGetActiveUniformBlockiv(program, block, GL_UNIFORM_BLOCK_DATA_SIZE,
-                                  &binding->block_size);
-        binding->block = sb_alloc((size_t)binding->block_size);
-        glGenBuffers(1, &binding->buffer);
-        glBindBuffer(GL_UNIFORM_BUFFER, binding->buffer);
-        glBufferData(GL_UNIFORM_BUFFER, binding->block_size, binding->block,
-                     GL_STATIC_DRAW);
-    }
+    const struct sb_scene *scene = binding->upload->scene;
+    const GLuint block = glGetUniformBlockIndex(program, "MaterialBlock");
+    if (block == GL_INVALID_INDEX)
+        return;
+    GLint size = 0, alignment = 1;
+    glUniformBlockBinding(program, block, 1);
+    glGetActiveUniformBlockiv(program, block, GL_UNIFORM_BLOCK_DATA_SIZE, &size);
+    glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
+    binding->material_size = size;
+    binding->material_stride = (size + alignment - 1) / alignment * alignment;
 
-    size_t slots = 0;
-    for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++) {
-        int count;
-        sb_lights_of(lights, type, &count);
-        slots += (size_t)count * (size_t)sb_light_types[type].field_count;
+    const size_t total = (size_t)binding->material_stride * (size_t)scene->material_count;
+    unsigned char *ranges = sb_alloc(total);
+    for (int f = 0; f < MATERIAL_FIELDS; f++) {
+        GLuint index;
+        GLint offset = -1;
+        glGetUniformIndices(program, 1, &material_fields[f].name, &index);
+        if (index != GL_INVALID_INDEX)
+            glGetActiveUniformsiv(program, 1, &index, GL_UNIFORM_OFFSET, &offset);
+        for (int i = 0; offset >= 0 && i < scene->material_count; i++)
+            memcpy(ranges + i * binding->material_stride + offset,
+                   (const char *)&scene->material[i] + material_fields[f].source,
+                   material_fields[f].size);
     }
-    binding->slot = sb_alloc(slots * sizeof *binding->slot);
-    struct sb_light_slot *slot = binding->slot;
-    for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++) {
-        const struct sb_light_type_row *row = &sb_light_types[type];
-        int count;
-        sb_lights_of(lights, type, &count);
-        for (int i = 0; i < count; i++) {
-            for (int f = 0; f < row->field_count; f++) {
-                char name[96];
-                snprintf(name, sizeof name, "%s[%d].%s", row->array, i,
-                         row->field[f].name);
-                *slot++ = find_slot(program, block, name);
-            }
+    glGenBuffers(1, &binding->materials);
+    glBindBuffer(GL_UNIFORM_BUFFER, binding->materials);
+    glBufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)total, ranges, GL_STATIC_DRAW);
+    free(ranges);
+}
+
+// --- the camera ------------------------------------------------------------------------
+
+// The view matrix is a turn and a move, so its inverse is the turn back, and the eye.
+static void set_camera(const struct sb_binding *binding)
+{
+    const struct sb_camera *camera = &binding->upload->scene->camera;
+    float rotation[9], inverse[16] = {[15] = 1};
+    for (int column = 0; column < 3; column++) {
+        for (int row = 0; row < 3; row++) {
+            rotation[3 * column + row] = camera->view[4 * column + row];
+            inverse[4 * row + column] = camera->view[4 * column + row];
+        }
+    }
+    memcpy(&inverse[12], camera->eye, sizeof camera->eye);
+    const struct {
+        const char *name;
+        const float *value;
+    } matrices[] = {
+        {"u_view_projection", camera->view_projection},
+        {"u_view", camera->view},
+        {"u_view_inverse", inverse},
+    };
+    for (size_t i = 0; i < sizeof matrices / sizeof *matrices; i++) {
+        const GLint location = glGetUniformLocation(binding->program, matrices[i].name);
+        if (location >= 0)
+            glUniformMatrix4fv(location, 1, GL_FALSE, matrices[i].value);
+    }
+    const GLint turn = glGetUniformLocation(binding->program, "u_view_rotation");
+    const GLint eye = glGetUniformLocation(binding->program, "u_camera_position");
+    if (turn >= 0)
+        glUniformMatrix3fv(turn, 1, GL_FALSE, rotation);
+    if (eye >= 0)
+        glUniform3fv(eye, 1, camera->eye);
+}
+
+// space=view: object to view, in double.
+static void make_normal_matrices(struct sb_binding *binding)
+{
+    const struct sb_scene *scene = binding->upload->scene;
+    binding->normal_matrices =
+        sb_alloc((size_t)scene->draw_count * 9 * sizeof *binding->normal_matrices);
+    for (int i = 0; i < scene->draw_count; i++) {
+        for (int at = 0; at < 9; at++) {
+            const int column = at / 3, row = at % 3;
+            double sum = 0;
+            for (int k = 0; k < 3; k++)
+                sum += (double)scene->camera.view[4 * k + row] *
+                       scene->draw[i].normal_matrix[3 * column + k];
+            binding->normal_matrices[9 * i + at] = (float)sum;
         }
     }
 }
 
-bool sb_binding_make(struct sb_binding *binding, GLuint program,
-                     const struct sb_upload *upload, struct sb_error *err)
+// --- lights ----------------------------------------------------------------------------
+
+struct sb_phase sb_phase_of(const struct sb_variant *variant, int number)
 {
-    const struct sb_scene *scene = upload->scene;
+    const bool casters_stand = variant->value[SB_AXIS_UPDATE] != SB_UPDATE_SHADOWS;
+    return (struct sb_phase){
+        .number = number,
+        .still_points = casters_stand ? sb_shadow_casters(variant) : 0,
+        .scale = variant->value[SB_AXIS_SCALE],
+    };
+}
+
+static void make_phases(struct sb_binding *binding, const struct sb_variant *variant)
+{
+    const struct sb_scene *scene = binding->upload->scene;
+    const size_t total = (size_t)sb_lights_total(&scene->lights);
+    const bool moves = variant->value[SB_AXIS_UPDATE] != SB_UPDATE_STATIC;
+    binding->phase_count = moves ? SB_PHASES : 1;
+    binding->as_lit =
+        sb_alloc((size_t)binding->phase_count * total * sizeof *binding->as_lit);
+    struct sb_light *light = binding->as_lit;
+    for (int i = 0; i < binding->phase_count; i++) {
+        const struct sb_phase phase = sb_phase_of(variant, i);
+        binding->phase[i] = scene->lights;
+        binding->phase[i].light = light;
+        sb_lights_phase(&scene->lights, &phase, light);
+        for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++) {
+            for (int n = 0; n < scene->lights.count[type]; n++, light++)
+                *light = sb_light_as_lit(light, type, variant, &scene->camera);
+        }
+    }
+}
+
+void sb_binding_lights(const struct sb_binding *binding, int off_first, int off_count)
+{
+    struct sb_lights lights = binding->phase[0];
+    const int total = sb_lights_total(&lights);
+    struct sb_light *copy = sb_alloc((size_t)total * sizeof *copy);
+    for (int i = 0; i < total; i++) {
+        copy[i] = lights.light[i];
+        if (i < off_first || i - off_first >= off_count)
+            continue;
+        memset(copy[i].ambient, 0, sizeof copy[i].ambient);
+        memset(copy[i].diffuse, 0, sizeof copy[i].diffuse);
+        memset(copy[i].specular, 0, sizeof copy[i].specular);
+    }
+    lights.light = copy;
+    sb_light_upload_set(&binding->lights, &lights);
+    free(copy);
+}
+
+// --- all of it -------------------------------------------------------------------------
+
+static bool set_maps(struct sb_binding *binding, struct sb_error *err)
+{
+    static const char *const names[SB_MAP_COUNT] = {
+        [SB_MAP_DIFFUSE] = "u_diffuse_map",
+        [SB_MAP_SPECULAR] = "u_specular_map",
+        [SB_MAP_NORMAL] = "u_normal_map",
+    };
+    for (int i = 0; i < SB_MAP_COUNT; i++) {
+        binding->map[i] = glGetUniformLocation(binding->program, names[i]);
+        // An unbound sampler would read black without a word.
+        if (binding->map[i] >= 0 && !binding->upload->map[i])
+            return sb_fail(err, SB_BAD_INPUT,
+                           "the program samples %s, which scene %s does not have",
+                           names[i], binding->upload->scene->name);
+        if (binding->map[i] >= 0)
+            glUniform1i(binding->map[i], i);
+    }
+    return true;
+}
+
+bool sb_binding_make(struct sb_binding *binding, const struct sb_binding_params *params,
+                     struct sb_error *err)
+{
+    const GLuint program = params->program;
+    const struct sb_scene *scene = params->upload->scene;
     *binding = (struct sb_binding){
-        .upload = upload,
+        .upload = params->upload,
         .program = program,
         .model = glGetUniformLocation(program, "u_model"),
         .normal_matrix = glGetUniformLocation(program, "u_normal_matrix"),
@@ -80,29 +196,21 @@ bool sb_binding_make(struct sb_binding *binding, GLuint program,
         .specular = glGetUniformLocation(program, "u_material.specular"),
         .shininess = glGetUniformLocation(program, "u_material.shininess"),
         .draw = glGetUniformLocation(program, "u_draw"),
+        .lamp_colour = glGetUniformLocation(program, "u_lamp_colour"),
     };
     glUseProgram(program);
-    for (int i = 0; i < SB_MAP_COUNT; i++) {
-        binding->map[i] = glGetUniformLocation(program, map_names[i]);
-        // An unbound sampler would read black without a word.
-        if (binding->map[i] >= 0 && !upload->map[i])
-            return sb_fail(err, SB_BAD_INPUT,
-                           "the program samples %s, which scene %s does not have",
-                           map_names[i], scene->name);
-        if (binding->map[i] >= 0)
-            glUniform1i(binding->map[i], i);
-    }
-    const GLint view_projection = glGetUniformLocation(program, "u_view_projection");
-    const GLint eye = glGetUniformLocation(program, "u_camera_position");
+    if (!set_maps(binding, err))
+        return false;
+    set_camera(binding);
     const GLint ambient = glGetUniformLocation(program, "u_scene_ambient");
-    if (view_projection >= 0)
-        glUniformMatrix4fv(view_projection, 1, GL_FALSE, scene->camera.view_projection);
-    if (eye >= 0)
-        glUniform3fv(eye, 1, scene->camera.eye);
     if (ambient >= 0)
         glUniform3fv(ambient, 1, scene->ambient);
+    if (params->variant->value[SB_AXIS_SPACE] == SB_SPACE_VIEW)
+        make_normal_matrices(binding);
+    make_materials(binding);
 
-    find_lights(binding);
+    sb_light_upload_make(&binding->lights, program, params->variant, &scene->lights);
+    make_phases(binding, params->variant);
     sb_binding_lights(binding, 0, 0);
     return true;
 }
@@ -110,51 +218,9 @@ bool sb_binding_make(struct sb_binding *binding, GLuint program,
 void sb_binding_free(struct sb_binding *binding)
 {
     glUseProgram(0); // a program in use outlives its deletion
-    glDeleteBuffers(1, &binding->buffer);
-    free(binding->slot);
-    free(binding->block);
+    sb_light_upload_free(&binding->lights);
+    glDeleteBuffers(1, &binding->materials);
+    free(binding->normal_matrices);
+    free(binding->as_lit);
     *binding = (struct sb_binding){0};
-}
-
-static bool is_colour(const struct sb_light_field *field)
-{
-    return strcmp(field->name, "ambient") == 0 || strcmp(field->name, "diffuse") == 0 ||
-           strcmp(field->name, "specular") == 0;
-}
-
-static void set_field(struct sb_binding *binding, const struct sb_light_slot *slot,
-                      const float *value, int components)
-{
-    if (slot->offset >= 0)
-        memcpy(binding->block + slot->offset, value, (size_t)components * sizeof *value);
-    else if (slot->location >= 0 && components == 1)
-        glUniform1fv(slot->location, 1, value);
-    else if (slot->location >= 0)
-        glUniform3fv(slot->location, 1, value);
-}
-
-void sb_binding_lights(struct sb_binding *binding, int off_first, int off_count)
-{
-    static const float black[3];
-    const struct sb_light_slot *slot = binding->slot;
-    int place = 0; // in the whole list
-    glUseProgram(binding->program);
-    for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++) {
-        const struct sb_light_type_row *row = &sb_light_types[type];
-        int count;
-        const char *light = sb_lights_of(&binding->upload->scene->lights, type, &count);
-        for (int i = 0; i < count; i++, place++, light += row->size) {
-            const bool off = place >= off_first && place - off_first < off_count;
-            for (int f = 0; f < row->field_count; f++) {
-                const struct sb_light_field *field = &row->field[f];
-                const float *value = (const void *)(light + field->offset);
-                set_field(binding, slot++, off && is_colour(field) ? black : value,
-                          field->components);
-            }
-        }
-    }
-    if (binding->buffer) {
-        glBindBuffer(GL_UNIFORM_BUFFER, binding->buffer);
-        glBufferSubData(GL_UNIFORM_BUFFER, 0, binding->block_size, binding->block);
-    }
 }

@@ -1,12 +1,11 @@
 // One frame. It sets every piece of state that this program ever changes, and what drivers
 // differ in by default, so that a variant is measured in the same state whatever was drawn
 // before it.
+#include "render/calls.h"
 #include "render/render.h"
+#include "render/shadow.h"
 
-// Counts the calls where they are made, so that the number cannot drift from the code.
-#define GL(call) (++*calls, (call))
-
-static void set_state(bool gles, int64_t *calls)
+void sb_frame_state(bool gles, int64_t *calls)
 {
     static const struct {
         GLenum capability;
@@ -51,8 +50,8 @@ static void clear(const struct sb_target *target, const float *colour, int64_t *
 static void bind(const struct sb_binding *binding, int64_t *calls)
 {
     GL(glUseProgram(binding->program));
-    if (binding->buffer)
-        GL(glBindBufferBase(GL_UNIFORM_BUFFER, 0, binding->buffer));
+    if (binding->lights.buffer)
+        GL(glBindBufferBase(GL_UNIFORM_BUFFER, 0, binding->lights.buffer));
     for (int i = 0; i < SB_MAP_COUNT; i++) {
         if (binding->map[i] < 0)
             continue;
@@ -61,15 +60,12 @@ static void bind(const struct sb_binding *binding, int64_t *calls)
     }
 }
 
-static void draw(const struct sb_binding *binding, int number, int64_t *calls)
+static void set_material(const struct sb_binding *binding, int number, int64_t *calls)
 {
-    const struct sb_scene *scene = binding->upload->scene;
-    const struct sb_draw *it = &scene->draw[number];
-    const struct sb_material *material = &scene->material[it->material];
-    if (binding->model >= 0)
-        GL(glUniformMatrix4fv(binding->model, 1, GL_FALSE, it->model));
-    if (binding->normal_matrix >= 0)
-        GL(glUniformMatrix3fv(binding->normal_matrix, 1, GL_FALSE, it->normal_matrix));
+    const struct sb_material *material = &binding->upload->scene->material[number];
+    if (binding->materials)
+        GL(glBindBufferRange(GL_UNIFORM_BUFFER, 1, binding->materials,
+                             number * binding->material_stride, binding->material_size));
     if (binding->ambient >= 0)
         GL(glUniform3fv(binding->ambient, 1, material->ambient));
     if (binding->diffuse >= 0)
@@ -78,6 +74,31 @@ static void draw(const struct sb_binding *binding, int number, int64_t *calls)
         GL(glUniform3fv(binding->specular, 1, material->specular));
     if (binding->shininess >= 0)
         GL(glUniform1f(binding->shininess, material->shininess));
+}
+
+// A lamp keeps the colour of its light also where that is uploaded black.
+static void set_lamp(const struct sb_binding *binding, int number, int64_t *calls)
+{
+    int count;
+    const struct sb_light *point =
+        sb_lights_of(&binding->upload->scene->lights, SB_LIGHT_POINT, &count);
+    if (binding->lamp_colour >= 0 && number >= 0 && number < count)
+        GL(glUniform3fv(binding->lamp_colour, 1, point[number].diffuse));
+}
+
+static void draw(const struct sb_binding *binding, int number, int64_t *calls)
+{
+    const struct sb_scene *scene = binding->upload->scene;
+    const struct sb_draw *it = &scene->draw[number];
+    const float *normal_matrix = binding->normal_matrices
+                                     ? &binding->normal_matrices[9 * number]
+                                     : it->normal_matrix;
+    if (binding->model >= 0)
+        GL(glUniformMatrix4fv(binding->model, 1, GL_FALSE, it->model));
+    if (binding->normal_matrix >= 0)
+        GL(glUniformMatrix3fv(binding->normal_matrix, 1, GL_FALSE, normal_matrix));
+    set_material(binding, it->material, calls);
+    set_lamp(binding, it->lamp, calls);
     if (binding->draw >= 0)
         GL(glUniform1ui(binding->draw, (GLuint)number + 1));
     GL(glBindVertexArray(binding->upload->mesh[it->mesh].vertex_array));
@@ -85,19 +106,56 @@ static void draw(const struct sb_binding *binding, int number, int64_t *calls)
                       NULL));
 }
 
-int64_t sb_frame_draw(const struct sb_frame_params *params)
+enum draws { ALL_DRAWS, LIT_DRAWS, LAMP_DRAWS };
+
+static void draw_all(const struct sb_binding *binding, enum draws which, int layers,
+                     int64_t *calls)
 {
+    const struct sb_scene *scene = binding->upload->scene;
+    bind(binding, calls);
+    for (int layer = 0; layer < layers; layer++) {
+        for (int i = 0; i < scene->draw_count; i++) {
+            const enum draws kind = scene->draw[i].lamp >= 0 ? LAMP_DRAWS : LIT_DRAWS;
+            if (which == ALL_DRAWS || which == kind)
+                draw(binding, i, calls);
+        }
+    }
+}
+
+static void draw_picture(const struct sb_frame_params *params, int64_t *calls)
+{
+    const struct sb_binding *binding = params->binding;
     const struct sb_target *target = params->target;
-    const struct sb_scene *scene = params->binding->upload->scene;
-    int64_t count = 0, *const calls = &count;
     GL(glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffer));
     GL(glViewport(0, 0, target->width, target->height));
-    set_state(params->gles, calls);
-    clear(target, scene->clear_colour, calls);
-    bind(params->binding, calls);
-    for (int layer = 0; layer < params->layers; layer++) {
-        for (int i = 0; i < scene->draw_count; i++)
-            draw(params->binding, i, calls);
-    }
-    return count;
+    sb_frame_state(params->gles, calls);
+    clear(target, binding->upload->scene->clear_colour, calls);
+    if (params->shadow)
+        *calls += sb_shadow_bind(params->shadow);
+    draw_all(binding, params->lamp ? LIT_DRAWS : ALL_DRAWS, params->layers, calls);
+    if (params->lamp)
+        draw_all(params->lamp, LAMP_DRAWS, params->layers, calls);
+    *calls += sb_target_resolve(target);
+}
+
+int64_t sb_frame_draw(const struct sb_frame_params *params)
+{
+    const struct sb_binding *binding = params->binding;
+    int64_t calls = 0;
+    if (params->phase >= 0)
+        calls += sb_light_upload_set(&binding->lights, &binding->phase[params->phase]);
+    if (params->shadow && params->phase >= 0 && params->shadow->phase_count > 1)
+        calls += sb_shadow_draw(params->shadow, &params->shadow->phase[params->phase]);
+    if (!params->shadows_only)
+        draw_picture(params, &calls);
+    return calls;
+}
+
+void sb_frame_end_shadows(const struct sb_target *target)
+{
+    static const float black[4];
+    int64_t calls = 0;
+    glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+    clear(target, black, &calls);
+    sb_target_resolve(target);
 }

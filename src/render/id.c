@@ -21,8 +21,11 @@
 
 bool sb_id_program_make(struct sb_gl_program *program, bool gles, struct sb_error *err)
 {
-    if (sb_gl_program_make(gles ? GLES VERTEX : DESKTOP VERTEX,
-                           gles ? GLES FRAGMENT : DESKTOP FRAGMENT, program))
+    const struct sb_program source = {
+        .vertex = gles ? GLES VERTEX : DESKTOP VERTEX,
+        .fragment = gles ? GLES FRAGMENT : DESKTOP FRAGMENT,
+    };
+    if (sb_gl_program_make(&source, program))
         return true;
     return sb_fail(err, SB_GL_ERROR, "the program of the id image does not compile: %s",
                    program->log ? program->log : "the driver gives no log");

@@ -15,7 +15,8 @@
 struct sb_shape {
     int width, height; // pixels
     enum sb_gl_format format;
-    int layers; // number of times a frame draws the whole scene
+    int samples; // a pixel
+    int layers;  // number of times a frame draws the whole scene
 };
 struct sb_shape sb_shape_of(const struct sb_variant *variant);
 
@@ -49,44 +50,105 @@ struct sb_upload {
 void sb_upload_make(struct sb_upload *upload, const struct sb_scene *scene);
 void sb_upload_free(struct sb_upload *upload);
 
+// --- lights, uploaded ------------------------------------------------------------------
+
+// Where one member of one light goes, of those that the program has.
+struct sb_light_place {
+    int list;       // SB_LIGHT_TYPE_COUNT: the whole list, else the lights of that type
+    int light;      // number in it
+    size_t source;  // of the member in struct sb_light
+    int components; // 1 or 3
+    bool pads;      // set to 0 where the list is shorter
+    GLint location; // a uniform of its own; -1: none, then it is …
+    size_t staged;  // … this far into `staged`
+};
+struct sb_member_array { // storage=arrays: one uniform array, set by one call
+    GLint location;
+    int components, count;
+    size_t staged;
+};
+struct sb_light_upload {
+    GLuint program, buffer; // buffer: of the block Lights; 0: the program has none
+    struct sb_light_place *place;
+    struct sb_member_array *array;
+    unsigned char *staged; // what the block, or the arrays, are set from
+    int place_count, place_capacity, array_count, array_capacity;
+    GLint block_size;                   // bytes
+    GLint count[SB_LIGHT_STRUCT_COUNT]; // u_point_count …; -1: not there
+    bool sets_uniforms;
+};
+// Looks up, once, where the members of these lights go, and of those that the arrays of the
+// variant's loop have room for besides. sb_light_upload_free in any case.
+void sb_light_upload_make(struct sb_light_upload *upload, GLuint program,
+                          const struct sb_variant *variant,
+                          const struct sb_lights *lights);
+void sb_light_upload_free(struct sb_light_upload *upload);
+
+// Sets every member that the program has of these lights, which must be as sb_light_as_lit
+// makes them, and no more of any type than there is room for. Entries of padded arrays
+// beyond them get intensity 0. Returns the number of GL calls.
+int64_t sb_light_upload_set(const struct sb_light_upload *upload,
+                            const struct sb_lights *lights);
+
+// The phase that frame `number` shows. With update=lights the casters of shadows stand still.
+struct sb_phase sb_phase_of(const struct sb_variant *variant, int number);
+
 // --- a program bound to a scene --------------------------------------------------------
 
-struct sb_light_slot { // where one member of one light goes; -1: not there
-    GLint location;    // in the default block
-    GLint offset;      // in the block Lights, bytes
-};
 struct sb_binding {
     const struct sb_upload *upload;
     GLuint program; // the caller's; must outlive this
-    GLint model, normal_matrix, ambient, diffuse, specular, shininess, draw;
+    GLint model, normal_matrix, ambient, diffuse, specular, shininess, draw, lamp_colour;
     GLint map[SB_MAP_COUNT];
-    struct sb_light_slot *slot; // types x lights x fields, in the order of the tables
-    GLuint buffer;              // of the block Lights; 0: the program has none
-    unsigned char *block;       // what is uploaded to it
-    GLint block_size;           // bytes
+    float *normal_matrices; // 9 a draw, object to view; NULL: those of the draws
+    GLuint materials;       // buffer of the block MaterialBlock; 0: the program has none
+    GLsizeiptr material_size; // bytes of the block …
+    GLintptr material_stride; // … and from one material's range to the next's
+    struct sb_light_upload lights;
+    struct sb_lights phase[SB_PHASES]; // as lit; the first one is the scene's own
+    int phase_count;         // 1, or SB_PHASES where each frame uploads the next
+    struct sb_light *as_lit; // owns the phases' lights
+};
+struct sb_binding_params {
+    GLuint program;
+    const struct sb_upload *upload;
+    const struct sb_variant *variant; // resolved
 };
 // Looks every location up, once, and sets all that does not change from frame to frame,
-// lights included. Fails where the program samples a map that the scene does not have.
+// and the lights. Fails where the program samples a map that the scene does not have.
 // sb_binding_free also after failure.
-bool sb_binding_make(struct sb_binding *binding, GLuint program,
-                     const struct sb_upload *upload, struct sb_error *err);
+bool sb_binding_make(struct sb_binding *binding, const struct sb_binding_params *params,
+                     struct sb_error *err);
 void sb_binding_free(struct sb_binding *binding);
 
-// Uploads all lights; those at [off_first, off_first + off_count) of the whole list
-// (directional, point, spot) with black ambient, diffuse and specular colours.
-void sb_binding_lights(struct sb_binding *binding, int off_first, int off_count);
+// Uploads the scene's own lights; those at [off_first, off_first + off_count) of the whole
+// list with black ambient, diffuse and specular colours.
+void sb_binding_lights(const struct sb_binding *binding, int off_first, int off_count);
 
 // --- a frame ---------------------------------------------------------------------------
 
+struct sb_shadow; // shadow.h
+
 struct sb_frame_params {
     const struct sb_binding *binding;
+    const struct sb_binding
+        *lamp; // for draws that show a lamp; NULL: `binding` does them too
+    const struct sb_shadow *shadow; // maps that `binding` looks up; NULL: none
     const struct sb_target *target;
     int layers;
+    int phase;         // of the lights, uploaded first; -1: they are left as they are
+    bool shadows_only; // no picture: only the lights and the shadow maps
     bool gles;
 };
-// A whole frame: target, all state, clear of colour and depth, draws. Returns the number
-// of GL calls it made. Leaves the target's framebuffer bound.
+// A whole frame: lights, shadow maps where they change, target, all state, clear of colour
+// and depth, draws, resolve. Returns the number of GL calls it made. Leaves the framebuffer
+// bound that is read.
 int64_t sb_frame_draw(const struct sb_frame_params *params);
+
+// Ends a batch of frames without pictures: clears the target, so that whoever waits for it
+// waits for the shadow maps too, and leaves its framebuffer bound. These cannot be waited for
+// themselves: OpenGL ES reads no depth buffers.
+void sb_frame_end_shadows(const struct sb_target *target);
 
 // A program whose colour is the number of the draw, from 1, for an SB_GL_R32UI target:
 // bound and drawn like any other, so that it covers the pixels that a shader covers which

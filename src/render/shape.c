@@ -12,6 +12,7 @@ struct sb_shape sb_shape_of(const struct sb_variant *variant)
         .width = (int)variant->value[SB_AXIS_WIDTH],
         .height = (int)variant->value[SB_AXIS_HEIGHT],
         .format = format[(int)variant->value[SB_AXIS_TARGET]],
+        .samples = (int)variant->value[SB_AXIS_SAMPLES],
         .layers = (int)variant->value[SB_AXIS_LAYERS],
     };
 }
@@ -24,9 +25,10 @@ enum sb_gl_format sb_format_wide(const struct sb_caps *caps)
 bool sb_ring_make(struct sb_ring *ring, const struct sb_caps *caps,
                   const struct sb_shape *shape, struct sb_error *err)
 {
+    const struct sb_target_params target = {shape->width, shape->height, shape->samples,
+                                            shape->format};
     for (int i = 0; i < SB_RING_SIZE; i++) {
-        if (!sb_target_make(&ring->target[i], caps, shape->width, shape->height,
-                            shape->format, err))
+        if (!sb_target_make(&ring->target[i], caps, &target, err))
             return false;
     }
     return true;

@@ -1,7 +1,5 @@
 #include "scene/make.h"
 
-#include <string.h>
-
 struct sb_vec3 sb_light_spread(int i)
 {
     // Roberts, "The unreasonable effectiveness of quasirandom sequences" (2018), R3:
@@ -74,76 +72,11 @@ struct sb_light_params sb_light_torch(struct sb_vec3 eye)
     };
 }
 
-// --- from the scene's own units to what is uploaded ------------------------------------
-
-static void store(float out[3], struct sb_vec3 in)
+void sb_light_shape(struct sb_light_params *light, int i)
 {
-    out[0] = (float)in.x;
-    out[1] = (float)in.y;
-    out[2] = (float)in.z;
-}
-
-static struct sb_dir_light dir_light(const struct sb_light_params *params)
-{
-    struct sb_dir_light light = {0};
-    store(light.direction, params->direction);
-    store(light.ambient, params->ambient);
-    store(light.diffuse, params->diffuse);
-    store(light.specular, params->specular);
-    return light;
-}
-
-static struct sb_point_light point_light(const struct sb_light_params *params,
-                                         const struct sb_placement *place)
-{
-    struct sb_point_light light = {
-        .range = (float)(params->range * place->scale),
-        .constant = (float)params->constant,
-        .linear = (float)params->linear,
-        .quadratic = (float)params->quadratic,
-    };
-    store(light.position, sb_placed(place, params->position));
-    store(light.ambient, params->ambient);
-    store(light.diffuse, params->diffuse);
-    store(light.specular, params->specular);
-    return light;
-}
-
-static struct sb_spot_light spot_light(const struct sb_light_params *params,
-                                       const struct sb_placement *place)
-{
-    const struct sb_point_light point = point_light(params, place);
-    struct sb_spot_light light = {0};
-    memcpy(&light, &point, sizeof point); // the same members come first
-    store(light.direction, sb_vec3_normalise(params->direction));
-    light.exponent = (float)params->exponent;
-    sb_spot_light_set_cone(&light, params->inner, params->outer);
-    return light;
-}
-
-void sb_lights_make(struct sb_scene *scene, const struct sb_placement *place,
-                    const sb_light_maker maker[SB_LIGHT_TYPE_COUNT],
-                    const struct sb_variant *variant)
-{
-    const int dirs = (int)variant->value[SB_AXIS_DIR];
-    const int points = (int)variant->value[SB_AXIS_POINT];
-    const int spots = (int)variant->value[SB_AXIS_SPOT];
-    struct sb_arena *arena = &scene->arena;
-    struct sb_dir_light *dir = sb_arena_alloc(arena, (size_t)dirs * sizeof *dir);
-    struct sb_point_light *point = sb_arena_alloc(arena, (size_t)points * sizeof *point);
-    struct sb_spot_light *spot = sb_arena_alloc(arena, (size_t)spots * sizeof *spot);
-    struct sb_light_params params;
-    for (int i = 0; i < dirs; i++) {
-        params = maker[SB_LIGHT_DIR](i);
-        dir[i] = dir_light(&params);
-    }
-    for (int i = 0; i < points; i++) {
-        params = maker[SB_LIGHT_POINT](i);
-        point[i] = point_light(&params, place);
-    }
-    for (int i = 0; i < spots; i++) {
-        params = maker[SB_LIGHT_SPOT](i);
-        spot[i] = spot_light(&params, place);
-    }
-    scene->lights = (struct sb_lights){dir, point, spot, dirs, points, spots};
+    const double turn = i * SB_GOLDEN_ANGLE;
+    light->direction =
+        sb_vec3_scale((struct sb_vec3){cos(turn), 0.25 * sin(turn), sin(turn)}, 0.58);
+    light->radius = 0.3;
+    light->extent = (struct sb_vec3){0.3, 0.2, 0.4};
 }

@@ -3,91 +3,199 @@
 #include <assert.h>
 #include <math.h>
 
-#include "axis/axis.h"
+#include "math/mat.h"
 
-// --- the members, for whoever sets or checks them one at a time ------------------------
+// --- the members, for whoever sets, prints or checks them one at a time ----------------
 
+// A member is there where some formula of the variant reads it. The conditions name the values
+// that do not: a new law, cone or shape has all members until its row here says otherwise. Of a
+// formula with two forms both are compiled.
 // clang-format off
-#define FIELD(type, name, components, range) \
-    {#name, offsetof(struct sb_##type##_light, name), components, range}
+#define FIELD(name, components, range, when) \
+    {#name, offsetof(struct sb_light, name), components, range, when}
+
+#define DIRECTION(when) FIELD(direction, 3, SB_FINITE, when)
+#define INTENSITY       FIELD(intensity, 1, SB_NOT_NEGATIVE, "loop=padded")
+#define AMBIENT         FIELD(ambient,   3, SB_NOT_NEGATIVE, "ambient!=none,ambient!=scene")
+#define DIFFUSE         FIELD(diffuse,   3, SB_NOT_NEGATIVE, "")
+#define SPECULAR        FIELD(specular,  3, SB_NOT_NEGATIVE, "model!=lambert")
+#define POSITION        FIELD(position,  3, SB_FINITE, "")
+#define RANGE           FIELD(range,     1, SB_NOT_NEGATIVE, \
+    "shadows>0|attenuation!=none,attenuation!=polynomial")
+
+// A float behind a vec3 shares its 16 bytes in std140.
+#define POLYNOMIAL "attenuation!=none,attenuation!=radius,attenuation!=windowed"
+#define COLOURS_AND_ATTENUATION \
+    AMBIENT,  FIELD(constant,  1, SB_NOT_NEGATIVE, POLYNOMIAL), \
+    DIFFUSE,  FIELD(linear,    1, SB_NOT_NEGATIVE, POLYNOMIAL), \
+    SPECULAR, FIELD(quadratic, 1, SB_NOT_NEGATIVE, POLYNOMIAL)
+
+#define RAMP "cone!=hard,cone!=exponent,cone!=linear"
+#define CONE \
+    DIRECTION(""), \
+    FIELD(cos_cutoff,        1, SB_COSINE,       "layout=unified|hoist=once,cone!=smooth"), \
+    FIELD(exponent,          1, SB_NOT_NEGATIVE, "cone!=hard,cone!=linear,cone!=smooth"), \
+    FIELD(inv_one_minus_cos, 1, SB_NOT_NEGATIVE, \
+          "hoist=once,cone!=hard,cone!=exponent,cone!=smooth"), \
+    FIELD(cone_scale,        1, SB_NOT_NEGATIVE, "hoist=once," RAMP), \
+    FIELD(cone_offset,       1, SB_FINITE,       "hoist=once," RAMP), \
+    INTENSITY, \
+    FIELD(cutoff,            1, SB_HALF_ANGLE, \
+          "hoist=per_light|cone!=exponent,cone!=linear,cone!=smooth"), \
+    FIELD(inner,             1, SB_HALF_ANGLE,   "hoist=per_light," RAMP)
 
 static const struct sb_light_field dir_fields[] = {
-    FIELD(dir, direction, 3, SB_FINITE),
-    FIELD(dir, pad0,      1, SB_FINITE),
-    FIELD(dir, ambient,   3, SB_NOT_NEGATIVE),
-    FIELD(dir, pad1,      1, SB_FINITE),
-    FIELD(dir, diffuse,   3, SB_NOT_NEGATIVE),
-    FIELD(dir, pad2,      1, SB_FINITE),
-    FIELD(dir, specular,  3, SB_NOT_NEGATIVE),
-    FIELD(dir, pad3,      1, SB_FINITE),
+    DIRECTION(""), INTENSITY, AMBIENT, DIFFUSE, SPECULAR,
 };
-
-#define POINT_FIELDS(type) \
-    FIELD(type, position,  3, SB_FINITE), \
-    FIELD(type, range,     1, SB_NOT_NEGATIVE), \
-    FIELD(type, ambient,   3, SB_NOT_NEGATIVE), \
-    FIELD(type, constant,  1, SB_NOT_NEGATIVE), \
-    FIELD(type, diffuse,   3, SB_NOT_NEGATIVE), \
-    FIELD(type, linear,    1, SB_NOT_NEGATIVE), \
-    FIELD(type, specular,  3, SB_NOT_NEGATIVE), \
-    FIELD(type, quadratic, 1, SB_NOT_NEGATIVE)
-
 static const struct sb_light_field point_fields[] = {
-    POINT_FIELDS(point),
+    POSITION, RANGE, COLOURS_AND_ATTENUATION, INTENSITY,
 };
-
 static const struct sb_light_field spot_fields[] = {
-    POINT_FIELDS(spot),
-    FIELD(spot, direction,         3, SB_FINITE),
-    FIELD(spot, cos_cutoff,        1, SB_COSINE),
-    FIELD(spot, exponent,          1, SB_NOT_NEGATIVE),
-    FIELD(spot, inv_one_minus_cos, 1, SB_NOT_NEGATIVE),
-    FIELD(spot, cone_scale,        1, SB_NOT_NEGATIVE),
-    FIELD(spot, cone_offset,       1, SB_FINITE),
+    POSITION, RANGE, COLOURS_AND_ATTENUATION, CONE,
 };
+static const struct sb_light_field area_fields[] = {
+    POSITION, RANGE, COLOURS_AND_ATTENUATION,
+    DIRECTION("area_shape!=sphere,area_shape!=box"),
+    FIELD(radius, 1, SB_NOT_NEGATIVE, "area_shape!=tube,area_shape!=box"),
+    FIELD(extent, 3, SB_NOT_NEGATIVE,
+          "area_shape!=sphere,area_shape!=tube,area_shape!=capsule"),
+    INTENSITY,
+};
+// By w and cos_cutoff its types are told apart.
+static const struct sb_light_field unified_fields[] = {
+    POSITION, FIELD(w, 1, SB_NOT_NEGATIVE, ""), COLOURS_AND_ATTENUATION, CONE, RANGE,
+};
+static_assert(sizeof unified_fields / sizeof *unified_fields <= SB_LIGHT_FIELD_MAX,
+              "room for the largest struct");
 
-#define ROW(type, name, axis) \
-    {name, "u_" #type, sizeof(struct sb_##type##_light), type##_fields, \
-     (int)(sizeof type##_fields / sizeof *type##_fields), axis}
+#define ROW(name, type, element, stem, axis) \
+    {name, type, element, "u_" #stem, "u_" #stem "_count", stem##_fields, \
+     (int)(sizeof stem##_fields / sizeof *stem##_fields), axis}
+#define light_fields unified_fields
 
-const struct sb_light_type_row sb_light_types[SB_LIGHT_TYPE_COUNT] = {
-    [SB_LIGHT_DIR]   = ROW(dir,   "directional light", SB_AXIS_DIR),
-    [SB_LIGHT_POINT] = ROW(point, "point light",       SB_AXIS_POINT),
-    [SB_LIGHT_SPOT]  = ROW(spot,  "spot light",        SB_AXIS_SPOT),
+const struct sb_light_struct sb_light_structs[SB_LIGHT_STRUCT_COUNT] = {
+    [SB_LIGHT_DIR]     = ROW("directional light", "DirLight",   "DIR_LIGHT",   dir,   SB_AXIS_DIR),
+    [SB_LIGHT_POINT]   = ROW("point light",       "PointLight", "POINT_LIGHT", point, SB_AXIS_POINT),
+    [SB_LIGHT_SPOT]    = ROW("spot light",        "SpotLight",  "SPOT_LIGHT",  spot,  SB_AXIS_SPOT),
+    [SB_LIGHT_AREA]    = ROW("area light",        "AreaLight",  "AREA_LIGHT",  area,  SB_AXIS_AREA),
+    [SB_LIGHT_UNIFIED] = ROW("light",             "Light",      "LIGHT",       light, -1),
 };
 // clang-format on
 
-// OpenGL 4.6 core, 7.6.2.2, rules 9 and 10: the stride of an array of structs is a
-// multiple of 16 bytes, and in C the stride is the size.
-static_assert(sizeof(struct sb_dir_light) == 64, "std140");
-static_assert(sizeof(struct sb_point_light) == 64, "std140");
-static_assert(sizeof(struct sb_spot_light) == 96, "std140");
-
-const void *sb_lights_of(const struct sb_lights *lights, enum sb_light_type type,
-                         int *count)
+static size_t round_up(size_t size, size_t unit)
 {
-    switch (type) {
-    case SB_LIGHT_DIR:
-        *count = lights->dir_count;
-        return lights->dir;
-    case SB_LIGHT_POINT:
-        *count = lights->point_count;
-        return lights->point;
-    case SB_LIGHT_SPOT:
-        *count = lights->spot_count;
-        return lights->spot;
-    default:
-        *count = 0;
-        return NULL;
-    }
+    return (size + unit - 1) / unit * unit;
 }
 
-void sb_spot_light_set_cone(struct sb_spot_light *light, double inner, double outer)
+void sb_light_members_of(const struct sb_light_struct *row,
+                         const struct sb_variant *variant,
+                         struct sb_light_members *members)
+{
+    members->count = 0;
+    for (int f = 0; f < row->field_count; f++)
+        if (sb_condition_holds(sb_axes_builtin(), row->field[f].when, variant))
+            members->field[members->count++] = &row->field[f];
+}
+
+// Where the members before number `end` end; the alignment of each is 16 for a vec3, 4 for a
+// float.
+static size_t std140_end(const struct sb_light_members *members, int end)
+{
+    size_t at = 0;
+    for (int i = 0; i < end; i++) {
+        const int components = members->field[i]->components;
+        at = round_up(at, components == 1 ? 4 : 16) + 4 * (size_t)components;
+    }
+    return at;
+}
+
+size_t sb_light_std140_offset(const struct sb_light_members *members, int number)
+{
+    return round_up(std140_end(members, number),
+                    members->field[number]->components == 1 ? 4 : 16);
+}
+
+size_t sb_light_std140_size(const struct sb_light_members *members)
+{
+    return round_up(std140_end(members, members->count), 16);
+}
+
+// --- lists -----------------------------------------------------------------------------
+
+const struct sb_light *sb_lights_of(const struct sb_lights *lights,
+                                    enum sb_light_type type, int *count)
+{
+    const struct sb_light *light = lights->light;
+    for (int t = 0; t < (int)type; t++)
+        light += lights->count[t];
+    *count = lights->count[type];
+    return light;
+}
+
+int sb_lights_total(const struct sb_lights *lights)
+{
+    int total = 0;
+    for (int t = 0; t < SB_LIGHT_TYPE_COUNT; t++)
+        total += lights->count[t];
+    return total;
+}
+
+int sb_lights_shining(const struct sb_variant *variant, enum sb_light_type type)
+{
+    const int asked = (int)variant->value[sb_light_structs[type].axis];
+    const bool night = variant->value[SB_AXIS_SUN] > 90;
+    return type == SB_LIGHT_DIR && night && asked > 0 ? asked - 1 : asked;
+}
+
+int sb_lights_slots(const struct sb_variant *variant, enum sb_light_type type)
+{
+    const int asked = (int)variant->value[sb_light_structs[type].axis];
+    const int capacity = (int)variant->value[SB_AXIS_CAPACITY];
+    const int loop = (int)variant->value[SB_AXIS_LOOP];
+    if (loop != SB_LOOP_DYNAMIC && loop != SB_LOOP_PADDED)
+        return sb_lights_shining(variant, type);
+    if (type == SB_LIGHT_DIR) // the slot of a sun that is down stays
+        return asked;
+    // The struct of layout=unified knows no shapes.
+    if (type == SB_LIGHT_AREA && variant->value[SB_AXIS_LAYOUT] == SB_LAYOUT_UNIFIED)
+        return asked;
+    return capacity > asked ? capacity : asked;
+}
+
+// --- making them -----------------------------------------------------------------------
+
+void sb_light_set_cone(struct sb_light *light, double inner, double outer)
 {
     const double cos_inner = cos(inner), cos_outer = cos(outer), half = sin(outer / 2);
     const double scale = 1 / fmax(cos_inner - cos_outer, 1.0 / 1024);
+    light->cutoff = (float)outer;
+    light->inner = (float)inner;
     light->cos_cutoff = (float)cos_outer;
     light->inv_one_minus_cos = (float)(1 / (2 * half * half)); // 1 - cos a = 2 sin^2(a/2)
     light->cone_scale = (float)scale;
     light->cone_offset = (float)(-cos_outer * scale);
+}
+
+struct sb_light sb_light_unified(const struct sb_light *light, enum sb_light_type type)
+{
+    struct sb_light unified = *light;
+    unified.w = type == SB_LIGHT_DIR ? 0 : 1;
+    if (type == SB_LIGHT_DIR) {
+        const float *d = light->direction;
+        const double length =
+            sb_vec3_length((struct sb_vec3){d[0], d[1], d[2]}); // of any, and not 0
+        for (int i = 0; i < 3; i++)
+            unified.position[i] = (float)(-d[i] / length);
+        unified.constant = 1; // a shader that masks must not divide by 0
+    }
+    if (type != SB_LIGHT_SPOT) { // no cone: the cosine of half a turn, and 1 by every law
+        unified.cutoff = (float)SB_PI;
+        unified.inner = (float)SB_PI;
+        unified.cos_cutoff = -1;
+        unified.exponent = 0;
+        unified.inv_one_minus_cos = 0;
+        unified.cone_scale = 0;
+        unified.cone_offset = 1;
+    }
+    return unified;
 }

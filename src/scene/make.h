@@ -5,7 +5,8 @@
 #include "math/mat.h"
 #include "scene/scene.h"
 
-#define SB_DEGREE (SB_PI / 180)
+#define SB_DEGREE       (SB_PI / 180)
+#define SB_GOLDEN_ANGLE 2.39996322972865332 // its multiples spread evenly over the circle
 
 // --- the axes that place a scene: p becomes p * scale + offset (1, 1, 1) ---------------
 
@@ -39,6 +40,8 @@ struct sb_mesh sb_mesh_cube(struct sb_arena *arena, int cells);
 // The unit sphere by latitude and longitude, poles at +-y: 2 slices (stacks - 1)
 // triangles. stacks >= 2, slices >= 3. u = 1/2 faces +z.
 struct sb_mesh sb_mesh_sphere(struct sb_arena *arena, int stacks, int slices);
+// About so many triangles, with twice as many slices as stacks.
+void sb_sphere_cells(double triangles, int *stacks, int *slices);
 
 // A rectangle in the plane z = 0 around the origin, facing +z, with tiles of 1 x 1 unit:
 // 2 columns rows triangles.
@@ -53,11 +56,14 @@ void sb_texture_make(struct sb_arena *arena, struct sb_texture map[SB_MAP_COUNT]
 // --- lights ----------------------------------------------------------------------------
 
 struct sb_light_params {
-    struct sb_vec3 position, direction;
+    struct sb_vec3 position, direction; // of an area light: half its segment
     struct sb_vec3 ambient, diffuse, specular;
-    double range, constant, linear, quadratic; // range before scaling
-    double inner, outer;                       // half angles of the cone, radians
+    double intensity; // makers leave it alone: their lights are on, and colours hold it
+    double range, constant, linear, quadratic;
+    double inner, outer; // half angles of the cone, radians
     double exponent;
+    double radius;
+    struct sb_vec3 extent; // as radius and range, before scaling
 };
 
 // Light number i of a list of any length, so that shorter lists are beginnings of longer.
@@ -66,6 +72,15 @@ typedef struct sb_light_params (*sb_light_maker)(int i);
 void sb_lights_make(struct sb_scene *scene, const struct sb_placement *place,
                     const sb_light_maker maker[SB_LIGHT_TYPE_COUNT],
                     const struct sb_variant *variant);
+
+// What the axes `sun` and `atmosphere` make of a light: the sun's direction and colour, to be
+// called for the first directional light; the colours of light number i of its type; and the
+// colours of the scene itself.
+void sb_light_follow_sun(struct sb_light_params *light, const struct sb_variant *variant);
+void sb_light_tint(struct sb_light_params *light, enum sb_light_type type, int i,
+                   const struct sb_variant *variant);
+void sb_background_tint(struct sb_vec3 *ambient, struct sb_vec3 *clear,
+                        const struct sb_variant *variant);
 
 // Light number i's own point in the unit cube: evenly spread for every length of the
 // list.
@@ -80,6 +95,10 @@ struct sb_vec3 sb_light_cap(struct sb_vec3 axis, double cos_limit, double u, dou
 // it, as in the text of `containers`.
 void sb_light_colour(struct sb_light_params *light, int i, double intensity);
 
+// The size of area light number i, whatever its shape is: half sides, a radius, and half a
+// segment, nearly level; no point of it is farther than 0.9 from its middle.
+void sb_light_shape(struct sb_light_params *light, int i);
+
 // The text's sun, which is the first directional light of every scene; others, from
 // within 60 degrees of +z; and the text's flashlight, held at the eye and pointing along
 // -z.
@@ -87,21 +106,47 @@ struct sb_light_params sb_light_sun(void);
 struct sb_light_params sb_light_from_front(int i);
 struct sb_light_params sb_light_torch(struct sb_vec3 eye);
 
+// --- the corridor that `plane` and `tunnel` share --------------------------------------
+
+// Along z, seen from inside towards -z: floor, ceiling and walls at a distance of `half` from
+// the axis, and a wall that closes the far end.
+struct sb_corridor {
+    double half, near_z, far_z;
+};
+enum { SB_CORRIDOR_MESHES = 2, SB_CORRIDOR_DRAWS = 5 };
+
+// About so many triangles; for sb_scene_parts.
+void sb_corridor_make(const struct sb_corridor *corridor, double triangles,
+                      struct sb_arena *arena, struct sb_mesh mesh[SB_CORRIDOR_MESHES]);
+void sb_corridor_place(const struct sb_corridor *corridor,
+                       const struct sb_placement *place,
+                       struct sb_draw draw[SB_CORRIDOR_DRAWS]);
+
+// The page's frontMaterial, and a light from across the corridor: it falls on floor, ceiling
+// or a wall, all of which the eye sees.
+extern const struct sb_material sb_corridor_material;
+struct sb_light_params sb_light_across(int i);
+
 // --- scenes ----------------------------------------------------------------------------
 
 struct sb_scene_parts {
     const struct sb_mesh *mesh;
     const struct sb_draw *draw; // already placed
-    int mesh_count, draw_count;
-    const struct sb_material *material; // one for all
-    float ambient, clear;               // grey
+    const struct sb_material *material;
+    int mesh_count, draw_count, material_count;
+    double ambient, clear; // grey
     struct sb_camera_params camera;
     sb_light_maker light[SB_LIGHT_TYPE_COUNT];
 };
-// Copies the parts, places camera and lights as the variant says, and adds the textures.
+// Copies the parts, places camera and lights as the variant says, and adds the textures, and
+// the lamps that show the point lights.
 void sb_scene_fill(struct sb_scene *scene, const struct sb_scene_parts *parts,
                    const struct sb_variant *variant);
 
 void sb_scene_containers(struct sb_scene *scene, const struct sb_variant *variant);
 void sb_scene_sphere(struct sb_scene *scene, const struct sb_variant *variant);
 void sb_scene_plane(struct sb_scene *scene, const struct sb_variant *variant);
+void sb_scene_tunnel(struct sb_scene *scene, const struct sb_variant *variant);
+void sb_scene_blocks(struct sb_scene *scene, const struct sb_variant *variant);
+void sb_scene_spheres(struct sb_scene *scene, const struct sb_variant *variant);
+void sb_scene_room(struct sb_scene *scene, const struct sb_variant *variant);

@@ -118,6 +118,12 @@ static void add_sphere_vertex(struct mesh_builder *builder, double column, int s
                (struct sb_vec3){cos(longitude), 0, -sin(longitude)});
 }
 
+void sb_sphere_cells(double triangles, int *stacks, int *slices)
+{
+    *stacks = (int)fmax(2, round((1 + sqrt(1 + triangles)) / 2));
+    *slices = (int)fmax(3, round(triangles / (2 * (*stacks - 1))));
+}
+
 struct sb_mesh sb_mesh_sphere(struct sb_arena *arena, int stacks, int slices)
 {
     // Rows from the south pole up. The poles have a vertex for each triangle that meets

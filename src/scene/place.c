@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#define LAMP_SIZE 0.2 // of the cube that shows a point light
+
 struct sb_placement sb_placement_of(const struct sb_variant *variant)
 {
     return (struct sb_placement){
@@ -60,15 +62,36 @@ struct sb_draw sb_draw_make(const struct sb_placement *place, int mesh, int mate
         sb_mat4_multiply(sb_mat4_translation(offset),
                          sb_mat4_multiply(sb_mat4_scaling(place->scale), model));
     const struct sb_mat3 normal = sb_mat4_normal_matrix(placed);
-    struct sb_draw draw = {.mesh = mesh, .material = material};
+    struct sb_draw draw = {.mesh = mesh, .material = material, .lamp = -1};
     store(draw.model, placed.m, 16);
     store(draw.normal_matrix, normal.m, 9);
     return draw;
 }
 
-static void *copy(struct sb_arena *arena, const void *data, size_t size)
+// Behind the scene's own draws come the lamps, and behind its meshes their cube. A tessellated
+// cube would add thousands of triangles that nothing is computed for.
+static void copy_draws(struct sb_scene *scene, const struct sb_scene_parts *parts,
+                       const struct sb_placement *place, const sb_light_maker point,
+                       int lamps)
 {
-    return memcpy(sb_arena_alloc(arena, size), data, size);
+    struct sb_arena *arena = &scene->arena;
+    const int meshes = parts->mesh_count + (lamps > 0), draws = parts->draw_count + lamps;
+    struct sb_mesh *mesh = sb_arena_alloc(arena, (size_t)meshes * sizeof *mesh);
+    struct sb_draw *draw = sb_arena_alloc(arena, (size_t)draws * sizeof *draw);
+    memcpy(mesh, parts->mesh, (size_t)parts->mesh_count * sizeof *mesh);
+    memcpy(draw, parts->draw, (size_t)parts->draw_count * sizeof *draw);
+    if (lamps > 0)
+        mesh[parts->mesh_count] = sb_mesh_cube(arena, 1);
+    for (int i = 0; i < lamps; i++) {
+        const struct sb_mat4 model = sb_mat4_multiply(
+            sb_mat4_translation(point(i).position), sb_mat4_scaling(LAMP_SIZE));
+        draw[parts->draw_count + i] = sb_draw_make(place, parts->mesh_count, 0, model);
+        draw[parts->draw_count + i].lamp = i;
+    }
+    scene->mesh = mesh;
+    scene->draw = draw;
+    scene->mesh_count = meshes;
+    scene->draw_count = draws;
 }
 
 void sb_scene_fill(struct sb_scene *scene, const struct sb_scene_parts *parts,
@@ -76,19 +99,19 @@ void sb_scene_fill(struct sb_scene *scene, const struct sb_scene_parts *parts,
 {
     struct sb_arena *arena = &scene->arena;
     const struct sb_placement place = sb_placement_of(variant);
-    const float grey = parts->ambient, clear = parts->clear;
-    scene->mesh =
-        copy(arena, parts->mesh, (size_t)parts->mesh_count * sizeof *parts->mesh);
-    scene->mesh_count = parts->mesh_count;
-    scene->material = copy(arena, parts->material, sizeof *parts->material);
-    scene->material_count = 1;
-    scene->draw =
-        copy(arena, parts->draw, (size_t)parts->draw_count * sizeof *parts->draw);
-    scene->draw_count = parts->draw_count;
-    memcpy(scene->ambient, (float[]){grey, grey, grey}, sizeof scene->ambient);
-    memcpy(scene->clear_colour, (float[]){clear, clear, clear, 1},
-           sizeof scene->clear_colour);
+    struct sb_vec3 ambient = {parts->ambient, parts->ambient, parts->ambient};
+    struct sb_vec3 clear = {parts->clear, parts->clear, parts->clear};
+    sb_background_tint(&ambient, &clear, variant);
+    store(scene->ambient, (double[]){ambient.x, ambient.y, ambient.z}, 3);
+    store(scene->clear_colour, (double[]){clear.x, clear.y, clear.z, 1}, 4);
+    scene->material_count = parts->material_count;
+    const size_t materials = (size_t)parts->material_count * sizeof *parts->material;
+    scene->material =
+        memcpy(sb_arena_alloc(arena, materials), parts->material, materials);
     scene->camera = sb_camera_make(&place, &parts->camera);
     sb_texture_make(arena, scene->map);
     sb_lights_make(scene, &place, parts->light, variant);
+    const bool lamps = variant->value[SB_AXIS_LAMPS] == SB_LAMPS_ON;
+    copy_draws(scene, parts, &place, parts->light[SB_LIGHT_POINT],
+               lamps ? scene->lights.count[SB_LIGHT_POINT] : 0);
 }

@@ -11,6 +11,10 @@ const struct sb_scene_row sb_scene_rows[] = {
     {"containers", "ten turned cubes, a sun, lamps, a flashlight", sb_scene_containers},
     {"sphere",     "one sphere, lit from the viewer's side",       sb_scene_sphere},
     {"plane",      "a corridor with many lamps of short reach",    sb_scene_plane},
+    {"tunnel",     "a corridor with the wikibook's two lights",    sb_scene_tunnel},
+    {"blocks",     "a field of blocks under a sun that moves",     sb_scene_blocks},
+    {"spheres",    "eight spheres, each of its own material",      sb_scene_spheres},
+    {"room",       "a closed room, for shadows of point lights",   sb_scene_room},
 };
 // clang-format on
 const int sb_scene_row_count = sizeof sb_scene_rows / sizeof *sb_scene_rows;
@@ -69,8 +73,8 @@ uint64_t sb_scene_hash(const struct sb_scene *scene)
     }
     for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++) {
         int count;
-        const void *light = sb_lights_of(&scene->lights, type, &count);
-        hash = hash_array(hash, light, count, sb_light_types[type].size);
+        const struct sb_light *light = sb_lights_of(&scene->lights, type, &count);
+        hash = hash_array(hash, light, count, sizeof *light);
     }
     hash = sb_hash(hash, scene->ambient, sizeof scene->ambient);
     hash = sb_hash(hash, scene->clear_colour, sizeof scene->clear_colour);

@@ -34,6 +34,7 @@ struct sb_material {
 
 struct sb_draw { // one mesh, placed
     int mesh, material;
+    int lamp; // -1; else the number of the point light that this draw shows, unlit
     float model[16];
     float normal_matrix[9]; // sb_mat4_normal_matrix: right for mirrors, and normals of
                             // turned and evenly scaled models keep unit length

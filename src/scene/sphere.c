@@ -45,6 +45,16 @@ static struct sb_light_params spot_light(int i)
     return light;
 }
 
+// As far out as half the segment and the radius demand.
+static struct sb_light_params area_light(int i)
+{
+    struct sb_light_params light = point_light(i);
+    light.position =
+        sb_vec3_scale(light.position, 1 + 0.5 / sb_vec3_length(light.position));
+    sb_light_shape(&light, i);
+    return light;
+}
+
 void sb_scene_sphere(struct sb_scene *scene, const struct sb_variant *variant)
 {
     static const struct sb_material material = {
@@ -53,11 +63,8 @@ void sb_scene_sphere(struct sb_scene *scene, const struct sb_variant *variant)
         .specular = {0.5f, 0.5f, 0.5f},
         .shininess = 32,
     };
-    // 2 slices (stacks - 1) triangles, with twice as many slices as stacks.
-    const double triangles = sb_triangles_wanted(variant, 500);
-    const int stacks = (int)fmax(2, round((1 + sqrt(1 + triangles)) / 2));
-    const int slices = (int)fmax(3, round(triangles / (2 * (stacks - 1))));
-
+    int stacks, slices;
+    sb_sphere_cells(sb_triangles_wanted(variant, 500), &stacks, &slices);
     const struct sb_placement place = sb_placement_of(variant);
     const struct sb_mesh mesh = sb_mesh_sphere(&scene->arena, stacks, slices);
     const struct sb_draw draw = sb_draw_make(&place, 0, 0, sb_mat4_scaling(1));
@@ -66,12 +73,13 @@ void sb_scene_sphere(struct sb_scene *scene, const struct sb_variant *variant)
                       .mesh = &mesh,
                       .mesh_count = 1,
                       .material = &material,
+                      .material_count = 1,
                       .draw = &draw,
                       .draw_count = 1,
-                      .ambient = 0.05f,
-                      .clear = 0.1f,
+                      .ambient = 0.05,
+                      .clear = 0.1,
                       .camera = {.eye = eye(), .fov = FOV, .near = 0.1, .far = 100},
-                      .light = {dir_light, point_light, spot_light},
+                      .light = {dir_light, point_light, spot_light, area_light},
                   },
                   variant);
 }

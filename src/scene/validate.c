@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "base/text.h"
+#include "math/vec.h"
 #include "scene/scene.h"
 
 // Closed intervals of floats; the largest float below 1 is 1 - 2^-24.
@@ -14,12 +15,13 @@ static const struct {
     [SB_FINITE] = {-FLT_MAX, FLT_MAX, "a finite number"},
     [SB_NOT_NEGATIVE] = {0, FLT_MAX, "a finite number of 0 or more"},
     [SB_COSINE] = {-1 + 0x1p-24, 1 - 0x1p-24, "more than -1 and less than 1"},
+    [SB_HALF_ANGLE] = {0, (float)SB_PI, "0 or more, at most pi"},
     [SB_SHININESS] = {1e-3f, FLT_MAX, "a finite number of 0.001 or more"},
 };
 
 // clang-format off
 #define FIELD(type, name, components, range) \
-    {#name, offsetof(struct type, name), components, range}
+    {#name, offsetof(struct type, name), components, range, ""}
 
 static const struct sb_light_field vertex_fields[] = {
     FIELD(sb_vertex, position, 3, SB_FINITE),
@@ -99,56 +101,55 @@ static bool check_fields(const struct subject *it, const void *data,
 
 // --- what no field can tell alone ------------------------------------------------------
 
-static bool check_direction(const struct subject *it, const float direction[3],
+static bool check_direction(const struct subject *it, const struct sb_light *light,
                             struct sb_error *err)
 {
+    const float *direction = light->direction;
     if (direction[0] != 0 || direction[1] != 0 || direction[2] != 0)
         return true;
     return fail(it, err, "direction is 0, 0, 0; valid: any other length");
 }
 
-static bool check_attenuation(const struct subject *it, float constant, float linear,
-                              float quadratic, struct sb_error *err)
+static bool check_attenuation(const struct subject *it, const struct sb_light *light,
+                              struct sb_error *err)
 {
-    if (constant > 0 || linear > 0 || quadratic > 0)
+    if (light->constant > 0 || light->linear > 0 || light->quadratic > 0)
         return true;
     return fail(it, err,
                 "constant, linear and quadratic are all 0, which divides by 0; valid: at "
                 "least one above 0");
 }
 
+// The direction of an area light matters to some shapes only, and even there 0 is a ball.
 static bool check_light(const struct subject *it, enum sb_light_type type,
-                        const void *light, struct sb_error *err)
+                        const struct sb_light *light, struct sb_error *err)
 {
-    const struct sb_light_type_row *row = &sb_light_types[type];
+    const struct sb_light_struct *row = &sb_light_structs[type];
     if (!check_fields(it, light, row->field, (size_t)row->field_count, err))
         return false;
-    if (type == SB_LIGHT_DIR)
-        return check_direction(it, ((const struct sb_dir_light *)light)->direction, err);
-    if (type == SB_LIGHT_POINT) {
-        const struct sb_point_light *point = light;
-        return check_attenuation(it, point->constant, point->linear, point->quadratic,
-                                 err);
-    }
-    const struct sb_spot_light *spot = light;
-    return check_direction(it, spot->direction, err) &&
-           check_attenuation(it, spot->constant, spot->linear, spot->quadratic, err);
+    if ((type == SB_LIGHT_DIR || type == SB_LIGHT_SPOT) &&
+        !check_direction(it, light, err))
+        return false;
+    return type == SB_LIGHT_DIR || check_attenuation(it, light, err);
 }
 
 static bool check_lights(const struct sb_scene *scene, struct sb_error *err)
 {
     for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++) {
-        int count;
-        const char *light = sb_lights_of(&scene->lights, type, &count);
-        if (count < 0 || (count > 0 && !light))
+        const int count = scene->lights.count[type];
+        const char *name = sb_light_structs[type].name;
+        if (count < 0 || (count > 0 && !scene->lights.light))
             return fail(
                 &(struct subject){.scene = scene->name}, err,
                 "%d in the list of %ss, which is %s; valid: 0, or a list of as many",
-                count, sb_light_types[type].name, light ? "there" : "NULL");
+                count, name, scene->lights.light ? "there" : "NULL");
+    }
+    for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++) {
+        int count;
+        const struct sb_light *light = sb_lights_of(&scene->lights, type, &count);
         for (int i = 0; i < count; i++) {
-            const struct subject it = {scene->name, sb_light_types[type].name, i, NULL};
-            if (!check_light(&it, type, light + (size_t)i * sb_light_types[type].size,
-                             err))
+            const struct subject it = {scene->name, sb_light_structs[type].name, i, NULL};
+            if (!check_light(&it, type, &light[i], err))
                 return false;
         }
     }

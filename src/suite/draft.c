@@ -5,12 +5,27 @@
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
+static bool check_parts(const struct sb_yaml *parts, struct sb_error *err)
+{
+    static const char *const keys[] = {"scene", "target", "base",
+                                       "sweep", "cross",  "exclude"};
+    if (!sb_yaml_expect(parts, SB_YAML_LIST, "parts", err))
+        return false;
+    if (parts->count == 0)
+        return sb_yaml_fail(parts, err, "parts: an empty list");
+    for (int i = 0; i < parts->count; i++)
+        if (!sb_yaml_expect(&parts->child[i], SB_YAML_MAP, "a part", err) ||
+            !sb_yaml_keys(&parts->child[i], keys, COUNT(keys), err))
+            return false;
+    return true;
+}
+
 bool sb_draft_keys(const struct sb_yaml *root, bool preset, struct sb_error *err)
 {
     static const char *const keys[] = {"suite",  "about",   "scene", "target",
                                        "base",   "exclude", "axes",  "measure",
-                                       "preset", "sweep",   "cross"};
-    const int count = COUNT(keys) - (preset ? 3 : 0);
+                                       "preset", "sweep",   "cross", "parts"};
+    const int count = COUNT(keys) - (preset ? 4 : 0);
     if (!sb_yaml_keys(root, keys, count, err))
         return false;
     const struct sb_yaml *name = sb_yaml_get(root, "suite");
@@ -18,10 +33,12 @@ bool sb_draft_keys(const struct sb_yaml *root, bool preset, struct sb_error *err
         return sb_yaml_fail(root, err, "no name; wanted: suite: NAME");
     if (!sb_yaml_expect(name, SB_YAML_TEXT, "suite", err))
         return false;
-    return sb_suite_name_valid(name->text) ||
-           sb_yaml_fail(name, err,
-                        "suite: \"%s\" is no name; valid: letters, digits, - and _",
-                        name->text);
+    if (!sb_suite_name_valid(name->text))
+        return sb_yaml_fail(name, err,
+                            "suite: \"%s\" is no name; valid: letters, digits, - and _",
+                            name->text);
+    const struct sb_yaml *parts = preset ? NULL : sb_yaml_get(root, "parts");
+    return !parts || check_parts(parts, err);
 }
 
 bool sb_suite_name_valid(const char *name)
@@ -191,8 +208,8 @@ static bool read_measure(const struct sb_yaml *map, struct sb_suite *suite,
     return true;
 }
 
-bool sb_draft_read(const struct sb_yaml *root, struct sb_suite *suite,
-                   struct sb_draft *draft, struct sb_error *err)
+bool sb_draft_head(const struct sb_yaml *root, struct sb_suite *suite,
+                   struct sb_error *err)
 {
     const struct sb_yaml *node;
     suite->name = sb_yaml_get(root, "suite")->text;
@@ -201,6 +218,13 @@ bool sb_draft_read(const struct sb_yaml *root, struct sb_suite *suite,
             return false;
         suite->about = node->text;
     }
+    return !(node = sb_yaml_get(root, "measure")) || read_measure(node, suite, err);
+}
+
+bool sb_draft_read(const struct sb_yaml *root, struct sb_suite *suite,
+                   struct sb_draft *draft, struct sb_error *err)
+{
+    const struct sb_yaml *node;
     // In this order whatever the order in the file: base has the last word over target.
     return (!(node = sb_yaml_get(root, "scene")) ||
             read_scene(node, suite, draft, err)) &&
@@ -209,7 +233,6 @@ bool sb_draft_read(const struct sb_yaml *root, struct sb_suite *suite,
            (!(node = sb_yaml_get(root, "base")) || read_base(node, suite, draft, err)) &&
            (!(node = sb_yaml_get(root, "exclude")) ||
             read_exclude(node, suite, draft, err)) &&
-           (!(node = sb_yaml_get(root, "measure")) || read_measure(node, suite, err)) &&
            (!(node = sb_yaml_get(root, "sweep")) ||
             read_dimensions(node, "sweep", suite, draft, &draft->sweep, err)) &&
            (!(node = sb_yaml_get(root, "cross")) ||

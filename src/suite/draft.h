@@ -16,22 +16,28 @@ struct sb_dimensions {
 };
 
 struct sb_draft {
-    const char *origin; // stands before messages about the suite as a whole
-    struct sb_variant base;
+    const char *origin;       // stands before messages about the suite as a whole
+    const char *preset;       // its name; NULL: none
+    struct sb_variant base;   // given: by the suite and the command line,
+    uint64_t preset_given[2]; // and by the preset
     struct sb_dimensions sweep, cross;
     const char *const *exclude, *const *scene;
     int exclude_count, scene_count;
 };
 
-// Whether `root` has only keys that a suite, or a preset, may have.
+// Whether `root` has only keys that a suite, or a preset, may have. The parts of a suite have
+// the keys of a plan only.
 bool sb_draft_keys(const struct sb_yaml *root, bool preset, struct sb_error *err);
 
 // Adds the axes that `root` declares to suite->axes.
 bool sb_draft_axes(const struct sb_yaml *root, struct sb_suite *suite,
                    struct sb_error *err);
 
-// Reads the other keys into `draft`, over what is there, and into suite's name, about and
-// measure.
+// Reads name, about and measure into `suite`, over what is there.
+bool sb_draft_head(const struct sb_yaml *root, struct sb_suite *suite,
+                   struct sb_error *err);
+
+// Reads the keys of a plan, of a preset, a suite or a part, into `draft`, over what is there.
 bool sb_draft_read(const struct sb_yaml *root, struct sb_suite *suite,
                    struct sb_draft *draft, struct sb_error *err);
 
@@ -40,7 +46,7 @@ bool sb_draft_read(const struct sb_yaml *root, struct sb_suite *suite,
 bool sb_draft_assign(const struct sb_suite_params *params, struct sb_suite *suite,
                      struct sb_draft *draft, struct sb_error *err);
 
-// Fills suite->entry.
+// Appends to suite->entry.
 bool sb_draft_expand(const struct sb_draft *draft, struct sb_suite *suite,
                      struct sb_error *err);
 

@@ -44,18 +44,46 @@ static bool is_duplicate(const struct expansion *ex, const char *scene,
     return false;
 }
 
+// A preset is told by its name, not by all that it sets.
+static void write_id(const struct expansion *ex, const struct sb_variant *v,
+                     struct sb_text *id)
+{
+    if (!ex->draft->preset) {
+        sb_variant_id(&ex->suite->axes, v, id);
+        return;
+    }
+    struct sb_text more = {0};
+    sb_variant_id(&ex->suite->axes, v, &more);
+    sb_text_add(id, ex->draft->preset);
+    if (strchr(more.data, '=')) // not "default"
+        sb_text_printf(id, ",%s", more.data);
+    sb_text_free(&more);
+}
+
+static bool resolve(const struct expansion *ex, struct sb_variant *v,
+                    struct sb_error *err)
+{
+    // To shorthand what the preset gives is given, to the id it is not.
+    const struct sb_variant shown = *v;
+    for (int i = 0; i < 2; i++)
+        v->given[i] |= ex->draft->preset_given[i];
+    const bool good = sb_variant_resolve(&ex->suite->axes, v, err);
+    memcpy(v->given, shown.given, sizeof v->given);
+    return good;
+}
+
 static bool add_entry(struct expansion *ex, const char *scene, struct sb_variant v,
                       struct sb_error *err)
 {
     struct sb_suite *suite = ex->suite;
     struct sb_text id = {0};
-    const bool good = sb_variant_resolve(&suite->axes, &v, err);
+    const bool good = resolve(ex, &v, err);
     // Before the failure counts: `exclude` is how a suite keeps out what cannot be made.
     if (is_excluded(ex, &v)) {
         suite->excluded++;
         return true;
     }
-    sb_variant_id(&suite->axes, &v, &id);
+    write_id(ex, &v, &id);
     if (!good) {
         sb_fail(err, err->status, "%s: variant %s: %s", ex->draft->origin,
                 sb_text_get(&id), err->text);
@@ -69,6 +97,7 @@ static bool add_entry(struct expansion *ex, const char *scene, struct sb_variant
         ex->hash[suite->entry_count] = hash;
         suite->entry[suite->entry_count++] = (struct sb_plan_entry){
             .scene = scene,
+            .preset = ex->draft->preset,
             .variant = v,
             .id = sb_arena_strdup(&suite->arena, sb_text_get(&id))};
     }
@@ -108,20 +137,24 @@ static bool add_scene(struct expansion *ex, const char *scene, struct sb_error *
 bool sb_draft_expand(const struct sb_draft *draft, struct sb_suite *suite,
                      struct sb_error *err)
 {
-    const double count = combinations(draft);
-    if (count > ENTRIES_MAX)
+    const int before = suite->entry_count;
+    const double all = combinations(draft) + before;
+    if (all > ENTRIES_MAX)
         return sb_fail(err, SB_BAD_INPUT,
                        "%s: sweep, cross and scene make %.0f variants, before any is "
                        "excluded; valid: at most %d",
-                       draft->origin, count, ENTRIES_MAX);
-    struct expansion ex = {draft, suite, sb_alloc((size_t)count * sizeof *ex.hash)};
-    suite->entry = sb_arena_alloc(&suite->arena, (size_t)count * sizeof *suite->entry);
+                       draft->origin, all, ENTRIES_MAX);
+    struct expansion ex = {draft, suite, sb_alloc((size_t)all * sizeof *ex.hash)};
+    struct sb_plan_entry *entry =
+        sb_arena_alloc(&suite->arena, (size_t)all * sizeof *entry);
+    for (int i = 0; i < before; i++) {
+        entry[i] = suite->entry[i];
+        ex.hash[i] = sb_variant_hash(&suite->axes, &entry[i].variant);
+    }
+    suite->entry = entry;
     bool good = true;
     for (int i = 0; good && i < draft->scene_count; i++)
         good = add_scene(&ex, draft->scene[i], err);
-    if (good && suite->entry_count == 0)
-        good = sb_fail(err, SB_BAD_INPUT, "%s: no variant is left: all %d are excluded",
-                       draft->origin, suite->excluded);
     free(ex.hash);
     return good;
 }

@@ -9,18 +9,25 @@
 //     about: what does a light cost?
 //     scene: containers                  or a list
 //     preset: delphi                     bench/presets/delphi.yaml: a suite without preset,
-//                                        sweep and cross; this file's keys go over it
+//                                        sweep, cross and parts; this file's keys go over it.
+//                                        Or a list: the plan under each, side by side
 //     target: 256x256 rgba16f            base's width, height and, if given, target
 //     base:  {api: gles}                 axis: value
 //     sweep: {point: [0, 1..8 x2]}       axis: value, range (A..B, A..B step S, A..B xF)
 //     cross: {stage: [fragment, vertex]} or a list of these
 //     exclude: ["stage=vertex,point>4"]  conditions on resolved variants
+//     parts:                             plans side by side: each has scene, target, base,
+//       - {base: {point: 4}, sweep: ..}  sweep, cross and exclude of its own, which go over
+//       - {base: {shadows: 2}, ..}       and beside this file's
 //     measure: {budget: 20}              rows of measure.def
 //     axes:                              its own; `define` is what the shaders see
 //       - {name: taps, kind: quality, define: TAPS, min: 1, max: 16, init: 4, whole: true}
 //       - {name: curve, kind: quality, define: CURVE, values: [linear, cubic],
 //          init: cubic, when: taps>1, needs: stage=fragment, help: which curve}
 //     A value may be a map, too: {name: linear, text: what CURVE expands to, help: ...}.
+//
+// The id of an entry under a preset begins with the preset's name, and goes on with what was
+// given besides: `delphi`, `delphi,stage=vertex`. What the preset itself gives is left out.
 #pragma once
 
 #include "axis/variant.h"
@@ -48,8 +55,9 @@ bool sb_measure_set(struct sb_measure_settings *settings, const char *name,
 
 struct sb_plan_entry {
     const char *scene;         // "containers"
-    struct sb_variant variant; // resolved
-    char *id;                  // sb_variant_id of it
+    const char *preset;        // "delphi"; NULL: none
+    struct sb_variant variant; // resolved; given: what stands in the id
+    char *id;                  // sb_variant_id of it, behind the name of the preset
 };
 
 struct sb_suite {
@@ -70,8 +78,8 @@ struct sb_assignment {
 };
 
 struct sb_suite_params {
-    const char *path;     // a YAML file; NULL: no file
-    const char *preset;   // --preset NAME: data_dir/bench/presets/NAME.yaml; NULL: none
+    const char *path;   // a YAML file; NULL: no file
+    const char *preset; // --preset NAME,…: data_dir/bench/presets/NAME.yaml; NULL: none
     const char *data_dir; // where presets are looked up; NULL: a preset is an error
     const char *scene;    // --scene; NULL: the suite's, else "containers"
     // Over the file's; `set` wins over base.
@@ -80,8 +88,8 @@ struct sb_suite_params {
 };
 
 // Loads, checks and expands. --set, --sweep and --cross first take their axis out of the
-// file's sweep and cross. At most 10 000 entries, counting those that are dropped. Errors
-// name file:line:column, the word and the valid words.
+// file's sweep and cross, in all of its parts. At most 10 000 entries, counting those that the
+// last plan drops. Errors name file:line:column, the word and the valid words.
 // *suite must be zeroed; sb_suite_free also after failure.
 bool sb_suite_load(const struct sb_suite_params *params, struct sb_suite *suite,
                    struct sb_error *err);

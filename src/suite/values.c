@@ -7,7 +7,7 @@
 #include "base/mem.h"
 #include "suite/values.h"
 
-// Decimal steps leave dust in the last bits: 3 * 0.1 is 0.30000000000000004. A double
+// Decimal factors leave dust in the last bits: 3 * 0.1 is 0.30000000000000004. A double
 // tells numbers of 15 digits apart, so rounding to 15 gives the double that a list with
 // 0.3 in it would give.
 static double without_dust(double value)
@@ -45,6 +45,10 @@ static bool add_word(const struct sb_axes *axes, int axis, const char *word,
 struct range {
     double first, last, by;
     bool multiply;
+    // Steps: first and by are whole multiples of 1 / unit. Sums of whole numbers are exact and
+    // a division rounds correctly, so that -90 + 82 * 1.1 is the double that is written 0.2.
+    // 0: they are no multiples of a power of ten that a double can count in.
+    double unit;
 };
 
 // `item` is cut up; `whole` is the text for messages.
@@ -95,6 +99,29 @@ static bool check_range(const struct sb_axis *axis, const struct range *range,
     return true;
 }
 
+// As many decimals as `first` and `by` need.
+static double unit_of(const struct range *range)
+{
+    static const double most = 9007199254740992.0; // 2^53
+    for (double unit = 1; unit <= 1e15; unit *= 10) {
+        const double first = round(range->first * unit), by = round(range->by * unit);
+        if (first / unit == range->first && by / unit == range->by &&
+            fabs(first) + by * SB_VALUES_MAX < most)
+            return unit;
+    }
+    return 0;
+}
+
+static double step_of(const struct range *range, int i)
+{
+    if (range->multiply)
+        return without_dust(range->first * pow(range->by, i));
+    if (range->unit > 0)
+        return (round(range->first * range->unit) + i * round(range->by * range->unit)) /
+               range->unit;
+    return without_dust(range->first + i * range->by);
+}
+
 static bool add_range(const struct sb_axes *axes, int axis, char *item,
                       struct sb_values *values, struct sb_error *err)
 {
@@ -104,15 +131,15 @@ static bool add_range(const struct sb_axes *axes, int axis, char *item,
     if (!read_range(&axes->row[axis], item, whole, &range, err) ||
         !check_range(&axes->row[axis], &range, whole, err))
         return false;
-    // The slack lets 0..0.3 step 0.1 reach its end; nothing goes past it.
+    range.unit = unit_of(&range);
+    // The slack lets a step of 0.33333333333334 reach 1; nothing goes past the end.
     const double end = range.last + 1e-12 * fabs(range.last - range.first);
     for (int i = 0;; i++) {
-        double value =
-            range.multiply ? range.first * pow(range.by, i) : range.first + i * range.by;
+        const double value = step_of(&range, i);
         if (value > end)
             return true;
-        value = fmin(without_dust(value), range.last);
-        if (!add_word(axes, axis, sb_number_text(value, word), values, err))
+        if (!add_word(axes, axis, sb_number_text(fmin(value, range.last), word), values,
+                      err))
             return false;
     }
 }

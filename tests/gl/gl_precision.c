@@ -3,7 +3,7 @@
 #include "test.h"
 
 static struct gl_test test;
-static struct sb_precision_probe probe;
+static struct sb_probe probe;
 
 // highp is IEEE single precision (GLSL ES 3.00, 4.5.1), in both stages; desktop OpenGL
 // reads the qualifiers and ignores them (GLSL 3.30, 4.5).

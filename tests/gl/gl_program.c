@@ -24,7 +24,8 @@ static const char *with_version(const char *body, char text[static 1024])
 static bool make(const char *vertex, const char *fragment, struct sb_gl_program *program)
 {
     char v[1024], f[1024];
-    return sb_gl_program_make(with_version(vertex, v), with_version(fragment, f),
+    return sb_gl_program_make(&(struct sb_program){.vertex = with_version(vertex, v),
+                                                   .fragment = with_version(fragment, f)},
                               program);
 }
 
@@ -92,6 +93,77 @@ static void a_link_error_comes_with_its_stage_and_log(void **state)
         SB_STAGE_LINK, "v_sum");
 }
 
+// A GLES context has them from 3.2, or by an extension that the text would have to name.
+static bool has_geometry_shaders(void)
+{
+    return !test.caps.gles || test.caps.api_version >= 320;
+}
+
+static bool make_with_geometry(const char *body, struct sb_gl_program *program)
+{
+    const char *head = !test.caps.gles ? "#version 330\n"
+                       : has_geometry_shaders()
+                           ? "#version 320 es\nprecision highp float;\n"
+                           : "#version 300 es\nprecision highp float;\n";
+    char vertex[1024], geometry[1024], fragment[1024];
+    snprintf(
+        vertex, sizeof vertex, "%s%s", head,
+        "in vec3 a_position; void main() { gl_Position = vec4(a_position, 1.0); }\n");
+    snprintf(geometry, sizeof geometry, "%s%s", head, body);
+    snprintf(fragment, sizeof fragment, "%s%s", head, FRAGMENT);
+    return sb_gl_program_make(&(struct sb_program){"shadow", vertex, geometry, fragment},
+                              program);
+}
+
+static void a_geometry_shader_stands_between_the_others(void **state)
+{
+    (void)state;
+    struct sb_gl_program program;
+    if (!has_geometry_shaders())
+        skip();
+    // v_sum comes from nowhere else.
+    const bool ok = make_with_geometry("layout(triangles) in;\n"
+                                       "layout(triangle_strip, max_vertices = 3) out;\n"
+                                       "out vec4 v_sum;\n"
+                                       "void main() {\n"
+                                       "    for (int i = 0; i < 3; i++) {\n"
+                                       "        gl_Position = gl_in[i].gl_Position;\n"
+                                       "        v_sum = vec4(1.0);\n"
+                                       "        EmitVertex();\n"
+                                       "    }\n"
+                                       "}\n",
+                                       &program);
+    if (!ok)
+        fail_msg("%s", program.log);
+    sb_gl_program_free(&program);
+    assert_false(make_with_geometry("void main() { no_geometry; }\n", &program));
+    assert_int_equal(program.failed_stage, SB_STAGE_GEOM);
+    check_contains(program.log, "no_geometry");
+    sb_gl_program_free(&program);
+    assert_null(sb_gl_error());
+}
+
+static PFNGLCREATESHADERPROC real_create;
+
+static GLuint GLAD_API_PTR create_without_geometry(GLenum kind)
+{
+    return real_create(kind == GL_GEOMETRY_SHADER ? 0 : kind);
+}
+
+static void a_driver_without_geometry_shaders_refuses_them_in_words(void **state)
+{
+    (void)state;
+    struct sb_gl_program program;
+    real_create = glad_glCreateShader;
+    glad_glCreateShader = create_without_geometry;
+    assert_false(make_with_geometry("", &program));
+    glad_glCreateShader = real_create;
+    assert_int_equal(program.failed_stage, SB_STAGE_GEOM);
+    check_contains(program.log, "no shaders of this stage");
+    sb_gl_program_free(&program);
+    assert_null(sb_gl_error());
+}
+
 int main(void)
 {
     static const struct CMUnitTest tests[] = {
@@ -99,6 +171,8 @@ int main(void)
         cmocka_unit_test(a_binary_has_a_hash_that_differs_with_the_code),
         cmocka_unit_test(a_compile_error_comes_with_its_stage_and_log),
         cmocka_unit_test(a_link_error_comes_with_its_stage_and_log),
+        cmocka_unit_test(a_geometry_shader_stands_between_the_others),
+        cmocka_unit_test(a_driver_without_geometry_shaders_refuses_them_in_words),
     };
     gl_test_open(&test);
     const int failed = run_tests(tests);

@@ -1,3 +1,4 @@
+#include "gl/program.h"
 #include "gl/target.h"
 #include "gl_test.h"
 #include "test.h"
@@ -24,7 +25,8 @@ static void check_painted(enum sb_gl_format format, const float *all, const floa
     struct sb_target target;
     struct sb_image image;
     struct sb_error err = {0};
-    if (!sb_target_make(&target, &test.caps, WIDTH, HEIGHT, format, &err))
+    const struct sb_target_params params = {WIDTH, HEIGHT, 1, format};
+    if (!sb_target_make(&target, &test.caps, &params, &err))
         fail_msg("%s", err.text);
     paint(&target, all, one);
     if (!sb_target_read(&target, &image, &err))
@@ -72,10 +74,11 @@ static void r32ui_reads_back_one_exact_channel(void **state)
 {
     (void)state;
     const GLuint value[4] = {16777215, 1, 2, 3};
+    const struct sb_target_params params = {WIDTH, HEIGHT, 1, SB_GL_R32UI};
     struct sb_target target;
     struct sb_image image;
     struct sb_error err = {0};
-    assert_true(sb_target_make(&target, &test.caps, WIDTH, HEIGHT, SB_GL_R32UI, &err));
+    assert_true(sb_target_make(&target, &test.caps, &params, &err));
     glClearBufferuiv(GL_COLOR, 0, value);
     assert_true(sb_target_read(&target, &image, &err));
     assert_int_equal(image.channels, 1);
@@ -104,7 +107,8 @@ static void a_drain_reads_one_pixel_of_every_format(void **state)
     glad_glReadPixels = counting_read;
     for (int i = 0; i < 4; i++) {
         struct sb_target target;
-        const bool made = sb_target_make(&target, &test.caps, 4, 4, formats[i], NULL);
+        const struct sb_target_params params = {4, 4, 1, formats[i]};
+        const bool made = sb_target_make(&target, &test.caps, &params, NULL);
         reads = 0;
         sb_gl_drain();
         assert_int_equal(reads, made);
@@ -121,22 +125,140 @@ static void a_drain_reads_one_pixel_of_every_format(void **state)
 static void a_depth_attachment_is_there(void **state)
 {
     (void)state;
+    const struct sb_target_params params = {4, 4, 1, SB_GL_RGBA8};
     struct sb_target target;
     struct sb_error err = {0};
     GLint bits = 0;
-    assert_true(sb_target_make(&target, &test.caps, 4, 4, SB_GL_RGBA8, &err));
+    assert_true(sb_target_make(&target, &test.caps, &params, &err));
     glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT,
                                           GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE, &bits);
     assert_true(bits >= 24);
     sb_target_free(&target);
 }
 
+// --- several samples a pixel -----------------------------------------------------------
+
+// Half of the samples of every pixel in another colour than the rest.
+static void paint_half(const struct sb_target *target, const float *all,
+                       const float *half)
+{
+    const char *head =
+        test.caps.gles ? "#version 300 es\nprecision highp float;\n" : "#version 330\n";
+    char vertex[512], fragment[512];
+    struct sb_gl_program program;
+    GLuint vertex_array;
+    snprintf(vertex, sizeof vertex,
+             "%svoid main() {\n"
+             "    gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0,\n"
+             "                       gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);\n"
+             "}\n",
+             head);
+    snprintf(fragment, sizeof fragment,
+             "%suniform vec4 u_colour;\n"
+             "out vec4 o_color;\n"
+             "void main() { o_color = u_colour; }\n",
+             head);
+    const struct sb_program source = {.vertex = vertex, .fragment = fragment};
+    assert_true(sb_gl_program_make(&source, &program));
+    glGenVertexArrays(1, &vertex_array);
+    glBindVertexArray(vertex_array);
+    glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+    glClearBufferfv(GL_COLOR, 0, all);
+    glEnable(GL_SAMPLE_COVERAGE);
+    glSampleCoverage(0.5f, GL_FALSE);
+    glUseProgram(program.name);
+    glUniform4fv(glGetUniformLocation(program.name, "u_colour"), 1, half);
+    glViewport(0, 0, target->width, target->height);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_DITHER);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_SAMPLE_COVERAGE);
+    glUseProgram(0);
+    sb_gl_program_free(&program);
+    glDeleteVertexArrays(1, &vertex_array);
+}
+
+static void samples_are_averaged_into_what_is_read(void **state)
+{
+    (void)state;
+    static const enum sb_gl_format formats[] = {SB_GL_RGBA8, SB_GL_RGBA16F,
+                                                SB_GL_RGBA32F};
+    const float all[4] = {0, 1, 0.2f, 1}, half[4] = {1, 0, 0.2f, 1};
+    if (test.caps.samples < 4)
+        skip();
+    for (int i = 0; i < 3; i++) {
+        const struct sb_target_params params = {WIDTH, HEIGHT, 4, formats[i]};
+        struct sb_target target;
+        struct sb_image image;
+        struct sb_error err = {0};
+        if (!sb_target_make(&target, &test.caps, &params, &err)) {
+            assert_int_equal(err.status, SB_OVER_LIMIT);
+            continue; // such floats need not be to be had with samples
+        }
+        paint_half(&target, all, half);
+        assert_int_equal(sb_target_resolve(&target), 3);
+        reads = 0;
+        read_pixels = glad_glReadPixels;
+        glad_glReadPixels = counting_read;
+        sb_gl_drain();
+        glad_glReadPixels = read_pixels;
+        assert_int_equal(reads, 1);
+        assert_null(sb_gl_error());
+        assert_true(sb_target_read(&target, &image, &err));
+        for (int y = 0; y < HEIGHT; y++)
+            for (int x = 0; x < WIDTH; x++)
+                for (int c = 0; c < 4; c++)
+                    check_close(sb_image_at(&image, x, y)[c], (all[c] + half[c]) / 2,
+                                0.003);
+        sb_image_free(&image);
+        sb_target_free(&target);
+        assert_null(sb_gl_error());
+    }
+}
+
+static void a_target_of_one_sample_is_read_as_it_was_drawn(void **state)
+{
+    (void)state;
+    const struct sb_target_params params = {WIDTH, HEIGHT, 1, SB_GL_RGBA8};
+    struct sb_target target;
+    assert_true(sb_target_make(&target, &test.caps, &params, NULL));
+    assert_int_equal(target.resolved, 0);
+    assert_int_equal(sb_target_resolve(&target), 0);
+    sb_target_free(&target);
+}
+
+// Every count either is what is made of it, or is refused with the limit.
+static void a_sample_count_is_kept_to_or_refused(void **state)
+{
+    (void)state;
+    char limit[32];
+    snprintf(limit, sizeof limit, "%lld", (long long)test.caps.samples);
+    for (int samples = 2; samples <= 33; samples++) {
+        const struct sb_target_params params = {4, 4, samples, SB_GL_RGBA8};
+        struct sb_target target;
+        struct sb_error err = {0};
+        GLint made = 0;
+        if (sb_target_make(&target, &test.caps, &params, &err)) {
+            glGetIntegerv(GL_SAMPLES, &made);
+            assert_int_equal(made, samples);
+            assert_true(samples <= test.caps.samples);
+        } else {
+            assert_int_equal(err.status, SB_OVER_LIMIT);
+            check_contains(err.text, limit);
+            assert_int_equal(target.framebuffer, 0);
+        }
+        sb_target_free(&target);
+        assert_null(sb_gl_error());
+    }
+}
+
 static void check_refused(const struct sb_caps *caps, int width, int height,
                           enum sb_gl_format format, const char *word)
 {
+    const struct sb_target_params params = {width, height, 1, format};
     struct sb_target target;
     struct sb_error err = {0};
-    assert_false(sb_target_make(&target, caps, width, height, format, &err));
+    assert_false(sb_target_make(&target, caps, &params, &err));
     assert_int_equal(err.status, SB_OVER_LIMIT);
     check_contains(err.text, word);
     assert_int_equal(target.framebuffer, 0);
@@ -169,6 +291,9 @@ int main(void)
         cmocka_unit_test(r32ui_reads_back_one_exact_channel),
         cmocka_unit_test(a_drain_reads_one_pixel_of_every_format),
         cmocka_unit_test(a_depth_attachment_is_there),
+        cmocka_unit_test(samples_are_averaged_into_what_is_read),
+        cmocka_unit_test(a_target_of_one_sample_is_read_as_it_was_drawn),
+        cmocka_unit_test(a_sample_count_is_kept_to_or_refused),
         cmocka_unit_test(what_the_driver_cannot_have_is_refused_with_the_limit),
     };
     gl_test_open(&test);

@@ -61,8 +61,9 @@ static int64_t time_clears(const struct sb_timer_fns *timer, struct sb_query *qu
 static void every_usable_source_reads_a_time_within_its_wall_time(void **state)
 {
     (void)state;
+    const struct sb_target_params params = {512, 512, 1, SB_GL_RGBA8};
     struct sb_target target;
-    assert_true(sb_target_make(&target, &test.caps, 512, 512, SB_GL_RGBA8, NULL));
+    assert_true(sb_target_make(&target, &test.caps, &params, NULL));
     for (int i = 0; sb_timers[i]; i++) {
         struct sb_query query;
         int64_t ns = -1;

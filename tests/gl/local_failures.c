@@ -30,7 +30,7 @@ static void a_compile_error_comes_with_stage_and_log(void **state)
 
     job_init(&it, 1, flat);
     sb_text_add(&it.vertex, "no glsl");
-    it.program.vertex = it.vertex.data;
+    it.program[0].vertex = it.vertex.data;
     prepare_fails(&it, &prepared);
     assert_int_equal(prepared.error.status, SB_COMPILE_FAILED);
     assert_int_equal(prepared.failed_stage, SB_STAGE_VERT);
@@ -45,6 +45,72 @@ static void a_compile_error_comes_with_stage_and_log(void **state)
     assert_int_equal(prepared.failed_stage, SB_STAGE_LINK);
     check_contains(prepared.log, "v_normal");
     free(prepared.log);
+    job_free(&it);
+}
+
+static void an_error_of_another_program_names_its_role_and_place(void **state)
+{
+    (void)state;
+    struct text_job it;
+    struct sb_prepared prepared;
+    job_init(&it, 1, flat);
+    job_add_lamp(&it, "out vec4 o_color;\nvoid main() { o_color = vec4(nowhere); }\n");
+    prepare_fails(&it, &prepared);
+    assert_int_equal(prepared.error.status, SB_COMPILE_FAILED);
+    assert_int_equal(prepared.failed_program, 1);
+    assert_int_equal(prepared.failed_stage, SB_STAGE_FRAG);
+    check_contains(prepared.error.text, "\"lamp\"");
+    check_contains(prepared.error.text, "fragment");
+    check_contains(prepared.error.text, "nowhere");
+    free(prepared.log);
+    job_free(&it);
+
+    job_init(&it, 1, flat);
+    job_add_lamp(&it, lamp);
+    it.program[1].geometry = "no glsl";
+    prepare_fails(&it, &prepared);
+    assert_int_equal(prepared.error.status, SB_COMPILE_FAILED);
+    assert_int_equal(prepared.failed_stage, SB_STAGE_GEOM);
+    check_contains(prepared.error.text, "geometry");
+    free(prepared.log);
+    job_free(&it);
+}
+
+static void a_role_that_is_missing_unknown_or_given_twice_is_refused(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *role;
+        int count;
+        const char *word;
+    } wrong[] = {{"lamp", 1, "lamp"}, {"ghost", 2, "ghost"}, {"shade", 2, "shade"}};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        struct text_job it;
+        struct sb_prepared prepared;
+        job_init(&it, 1, flat);
+        job_add_lamp(&it, lamp);
+        it.program[1].role = wrong[i].role;
+        it.job.program_count = wrong[i].count;
+        prepare_fails(&it, &prepared);
+        assert_int_equal(prepared.error.status, SB_BAD_INPUT);
+        check_contains(prepared.error.text, wrong[i].word);
+        job_free(&it);
+    }
+}
+
+static void more_samples_than_the_driver_has_are_refused_with_its_limit(void **state)
+{
+    (void)state;
+    struct text_job it;
+    struct sb_prepared prepared;
+    char limit[32];
+    snprintf(limit, sizeof limit, "%lld", (long long)caps.samples);
+    job_init(&it, 1, flat);
+    sb_variant_put(&it.job.variant, SB_AXIS_SAMPLES, (double)caps.samples + 1);
+    prepare_fails(&it, &prepared);
+    assert_int_equal(prepared.error.status, SB_OVER_LIMIT);
+    check_contains(prepared.error.text, "samples");
+    check_contains(prepared.error.text, limit);
     job_free(&it);
 }
 
@@ -91,12 +157,12 @@ static void a_job_without_a_program_or_with_an_id_in_use_is_refused(void **state
     struct text_job it;
     struct sb_prepared prepared;
     job_init(&it, 1, flat);
-    it.program.role = "other";
+    it.program[0].role = "other";
     prepare_fails(&it, &prepared);
     assert_int_equal(prepared.error.status, SB_BAD_INPUT);
     check_contains(prepared.error.text, "shade");
 
-    it.program.role = "shade";
+    it.program[0].role = "shade";
     prepare(&it, &prepared);
     assert_false(fns->prepare(runner, &it.job, &prepared));
     assert_int_equal(prepared.error.status, SB_INTERNAL);
@@ -119,7 +185,7 @@ static void a_released_job_fails_and_does_not_crash(void **state)
     const struct sb_image_request request = {.job = 1};
     assert_false(fns->image(runner, &request, &image, &err));
     assert_int_equal(err.status, SB_INTERNAL);
-    const struct sb_shot shot = {1, 1, 1};
+    const struct sb_shot shot = {1, 1, 1, SB_PART_WHOLE};
     assert_false(fns->round(runner, &shot, 1, &sample, &err));
     job_free(&it);
 }
@@ -136,7 +202,7 @@ static void GLAD_API_PTR draw_with_error(GLenum mode, GLsizei count, GLenum type
 static void gl_errors_are_reported_with_their_word_by_whatever_met_them(void **state)
 {
     (void)state;
-    static const struct sb_shot shot = {1, 1, 1};
+    static const struct sb_shot shot = {1, 1, 1, SB_PART_WHOLE};
     static const struct sb_image_request request = {.job = 1};
     struct text_job it, other;
     struct sb_prepared prepared;
@@ -167,12 +233,12 @@ static void gl_errors_are_reported_with_their_word_by_whatever_met_them(void **s
     job_free(&other);
 }
 
-// Names of objects that live, among the first few hundred: drivers hand out low ones
-// first.
+// Names of objects that live, among the first few thousand: drivers hand out low ones
+// first, or go on counting.
 static int live_objects(void)
 {
     int count = 0;
-    for (GLuint name = 1; name < 512; name++)
+    for (GLuint name = 1; name < 8192; name++)
         count += glIsBuffer(name) + glIsTexture(name) + glIsProgram(name) +
                  glIsShader(name) + glIsVertexArray(name) + glIsFramebuffer(name) +
                  glIsRenderbuffer(name) + glIsQuery(name);
@@ -182,7 +248,7 @@ static int live_objects(void)
 static void preparing_and_releasing_leaves_no_gl_object_behind(void **state)
 {
     (void)state;
-    const struct sb_shot shots[] = {{1, 2, 1}, {2, 2, 2}};
+    const struct sb_shot shots[] = {{1, 2, 1, SB_PART_WHOLE}, {2, 2, 2, SB_PART_WHOLE}};
     struct sb_sample samples[2];
     struct sb_error err = {0};
     const int before = live_objects();
@@ -191,7 +257,12 @@ static void preparing_and_releasing_leaves_no_gl_object_behind(void **state)
         struct sb_prepared prepared;
         struct sb_image image;
         for (uint32_t j = 0; j < 2; j++) {
-            lit_init(&it[j], j + 1, j == 1);
+            lit_init(&it[j], j + 1, j == 1 ? AS_STD140 : AS_UNIFORMS);
+            // Every kind of object.
+            job_add_lamp(&it[j], lamp);
+            sb_variant_put(&it[j].job.variant, SB_AXIS_UPDATE, SB_UPDATE_LIGHTS);
+            if (caps.samples >= 4)
+                sb_variant_put(&it[j].job.variant, SB_AXIS_SAMPLES, 4);
             // A size of its own: what another test left behind would hide a leak.
             sb_variant_put(&it[j].job.variant, SB_AXIS_WIDTH, SIZE + 6);
             prepare(&it[j], &prepared);
@@ -240,6 +311,9 @@ int main(void)
 {
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_compile_error_comes_with_stage_and_log),
+        cmocka_unit_test(an_error_of_another_program_names_its_role_and_place),
+        cmocka_unit_test(a_role_that_is_missing_unknown_or_given_twice_is_refused),
+        cmocka_unit_test(more_samples_than_the_driver_has_are_refused_with_its_limit),
         cmocka_unit_test(an_unknown_scene_fails_with_the_valid_names),
         cmocka_unit_test(a_target_over_the_limit_is_refused),
         cmocka_unit_test(a_job_without_a_program_or_with_an_id_in_use_is_refused),

@@ -28,8 +28,8 @@ static inline int run_with_runner(const struct CMUnitTest *tests, size_t count)
 }
 
 struct text_job { // a job and what it points to
-    struct sb_text vertex, fragment;
-    struct sb_program program;
+    struct sb_text vertex, fragment, lamp;
+    struct sb_program program[2]; // "shade", and after job_add_lamp "lamp"
     struct sb_job job;
 };
 
@@ -39,9 +39,10 @@ static inline void job_init(struct text_job *it, uint32_t id, const char *body)
     add_vertex_shader(&it->vertex, caps.gles);
     add_version(&it->fragment, caps.gles);
     sb_text_add(&it->fragment, body);
-    it->program = (struct sb_program){"shade", it->vertex.data, it->fragment.data};
+    it->program[0] =
+        (struct sb_program){"shade", it->vertex.data, NULL, it->fragment.data};
     it->job = (struct sb_job){
-        .id = id, .scene = "sphere", .program = &it->program, .program_count = 1};
+        .id = id, .scene = "sphere", .program = it->program, .program_count = 1};
     sb_variant_init(sb_axes_builtin(), &it->job.variant);
     sb_variant_put(&it->job.variant, SB_AXIS_POINT, POINTS);
     sb_variant_put(&it->job.variant, SB_AXIS_WIDTH, SIZE);
@@ -49,8 +50,19 @@ static inline void job_init(struct text_job *it, uint32_t id, const char *body)
     sb_variant_put(&it->job.variant, SB_AXIS_TARGET, SB_TARGET_RGBA32F);
 }
 
+// The scene shows its point lights, by a program of this fragment shader.
+static inline void job_add_lamp(struct text_job *it, const char *body)
+{
+    add_version(&it->lamp, caps.gles);
+    sb_text_add(&it->lamp, body);
+    it->program[1] = (struct sb_program){"lamp", it->vertex.data, NULL, it->lamp.data};
+    it->job.program_count = 2;
+    sb_variant_put(&it->job.variant, SB_AXIS_LAMPS, SB_LAMPS_ON);
+}
+
 static inline void job_free(struct text_job *it)
 {
+    sb_text_free(&it->lamp);
     sb_text_free(&it->vertex);
     sb_text_free(&it->fragment);
 }
@@ -76,11 +88,25 @@ static const char flat[] = "out vec4 o_color;\n"
                            "    o_color = vec4(2.0, 0.25, -1.0, 0.5);\n"
                            "}\n";
 
+static const char lamp[] = "uniform vec3 u_lamp_colour;\n"
+                           "out vec4 o_color;\n"
+                           "void main()\n"
+                           "{\n"
+                           "    o_color = vec4(u_lamp_colour, 1.0);\n"
+                           "}\n";
+
 // Diffuse light of all point lights.
-static inline void add_lit(struct sb_text *text, bool block)
+static inline void add_lit(struct sb_text *text, enum light_storage storage)
 {
-    static const int counts[SB_LIGHT_TYPE_COUNT] = {[SB_LIGHT_POINT] = POINTS};
-    add_lights(text, counts, block);
+    const struct light_text lights = {{[SB_LIGHT_POINT] = POINTS}, storage};
+    const char *const members[] = {"position", "ambient", "diffuse"};
+    add_lights(text, &lights);
+    for (int i = 0; i < 3; i++)
+        sb_text_printf(text,
+                       storage == AS_ARRAYS
+                           ? "vec3 get_%s(int i) { return u_point_%s[i]; }\n"
+                           : "vec3 get_%s(int i) { return u_point[i].%s; }\n",
+                       members[i], members[i]);
     sb_text_printf(text,
                    "in vec3 v_world;\n"
                    "in vec3 v_normal;\n"
@@ -89,9 +115,9 @@ static inline void add_lit(struct sb_text *text, bool block)
                    "{\n"
                    "    vec3 sum = vec3(0.0);\n"
                    "    for (int i = 0; i < %d; i++) {\n"
-                   "        vec3 l = normalize(u_point[i].position - v_world);\n"
-                   "        sum += u_point[i].ambient;\n"
-                   "        sum += u_point[i].diffuse * max(dot(normalize(v_normal), l), "
+                   "        vec3 l = normalize(get_position(i) - v_world);\n"
+                   "        sum += get_ambient(i);\n"
+                   "        sum += get_diffuse(i) * max(dot(normalize(v_normal), l), "
                    "0.0);\n"
                    "    }\n"
                    "    o_color = vec4(sum, 1.0);\n"
@@ -99,10 +125,10 @@ static inline void add_lit(struct sb_text *text, bool block)
                    POINTS);
 }
 
-static inline void lit_init(struct text_job *it, uint32_t id, bool block)
+static inline void lit_init(struct text_job *it, uint32_t id, enum light_storage storage)
 {
     struct sb_text body = {0};
-    add_lit(&body, block);
+    add_lit(&body, storage);
     job_init(it, id, body.data);
     sb_text_free(&body);
 }

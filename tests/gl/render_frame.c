@@ -44,24 +44,15 @@ static void world_make(struct world *world)
     for (int i = 0; i < DRAWS; i++) {
         const struct rectangle *r = &rectangles[i];
         const float width = r->x1 - r->x0;
-        const float model[16] = {r->mirrored ? -width : width,
-                                 0,
-                                 0,
-                                 0,
-                                 0,
-                                 r->y1 - r->y0,
-                                 0,
-                                 0,
-                                 0,
-                                 0,
-                                 1,
-                                 0,
-                                 r->mirrored ? r->x1 : r->x0,
-                                 r->y0,
-                                 r->depth,
-                                 1};
-        memcpy(world->draw[i].model, model, sizeof model);
+        float *model = world->draw[i].model;
+        model[0] = r->mirrored ? -width : width;
+        model[5] = r->y1 - r->y0;
+        model[10] = model[15] = 1;
+        model[12] = r->mirrored ? r->x1 : r->x0;
+        model[13] = r->y0;
+        model[14] = r->depth;
         world->draw[i].material = i % MATERIALS;
+        world->draw[i].lamp = -1;
     }
     for (int i = 0; i < 4; i++)
         world->scene.camera.view_projection[5 * i] = 1;
@@ -100,6 +91,7 @@ static const char flat_colour[] = "struct material { vec3 diffuse; };\n"
 
 struct fixture {
     struct world world;
+    struct sb_variant variant;
     struct sb_upload upload;
     struct sb_gl_program program;
     struct sb_binding binding;
@@ -112,27 +104,45 @@ static void program_make(struct sb_gl_program *program, const char *body)
     add_vertex_shader(&vertex, caps.gles);
     add_version(&fragment, caps.gles);
     sb_text_add(&fragment, body);
-    if (!sb_gl_program_make(vertex.data, fragment.data, program))
+    const struct sb_program source = {.vertex = vertex.data, .fragment = fragment.data};
+    if (!sb_gl_program_make(&source, program))
         fail_msg("%s", program->log);
     sb_text_free(&vertex);
     sb_text_free(&fragment);
 }
 
-static void fixture_make(struct fixture *fixture, enum sb_gl_format format)
+static bool bind_program(struct sb_binding *binding, const struct fixture *fixture,
+                         GLuint program, struct sb_error *err)
 {
-    const struct sb_shape shape = {SIZE, SIZE, format, 1};
+    const struct sb_binding_params params = {
+        .program = program,
+        .upload = &fixture->upload,
+        .variant = &fixture->variant,
+    };
+    return sb_binding_make(binding, &params, err);
+}
+
+static void fixture_make_samples(struct fixture *fixture, enum sb_gl_format format,
+                                 int samples)
+{
+    const struct sb_shape shape = {SIZE, SIZE, format, samples, 1};
     struct sb_error err = {0};
     *fixture = (struct fixture){0};
+    sb_variant_init(sb_axes_builtin(), &fixture->variant);
     world_make(&fixture->world);
     sb_upload_make(&fixture->upload, &fixture->world.scene);
     if (format == SB_GL_R32UI)
         assert_true(sb_id_program_make(&fixture->program, caps.gles, &err));
     else
         program_make(&fixture->program, flat_colour);
-    assert_true(sb_binding_make(&fixture->binding, fixture->program.name,
-                                &fixture->upload, &err));
+    assert_true(bind_program(&fixture->binding, fixture, fixture->program.name, &err));
     if (!sb_ring_make(&fixture->ring, &caps, &shape, &err))
         fail_msg("%s", err.text);
+}
+
+static void fixture_make(struct fixture *fixture, enum sb_gl_format format)
+{
+    fixture_make_samples(fixture, format, 1);
 }
 
 static void fixture_free(struct fixture *fixture)
@@ -150,6 +160,7 @@ static int64_t draw_frame(const struct fixture *fixture, int target, int layers)
         .binding = &fixture->binding,
         .target = &fixture->ring.target[target],
         .layers = layers,
+        .phase = -1,
         .gles = caps.gles,
     });
 }
@@ -397,8 +408,7 @@ static void maps_reach_their_samplers_repeat_and_are_filtered_without_levels(voi
         fixture.world.scene.map[i] = (struct sb_texture){2, 2, &texels[i][0][0][0]};
     sb_upload_make(&fixture.upload, &fixture.world.scene);
     program_make(&fixture.program, maps);
-    assert_true(
-        sb_binding_make(&fixture.binding, fixture.program.name, &fixture.upload, &err));
+    assert_true(bind_program(&fixture.binding, &fixture, fixture.program.name, &err));
     draw_frame(&fixture, 0, 1);
     assert_true(sb_target_read(&fixture.ring.target[0], &image, &err));
     for (int x = 0; x < 3; x++)
@@ -422,7 +432,7 @@ static void a_map_that_the_scene_does_not_have_is_refused_by_name(void **state)
     struct sb_error err = {0};
     fixture_make(&fixture, SB_GL_RGBA8);
     program_make(&program, maps);
-    assert_false(sb_binding_make(&binding, program.name, &fixture.upload, &err));
+    assert_false(bind_program(&binding, &fixture, program.name, &err));
     assert_int_equal(err.status, SB_BAD_INPUT);
     check_contains(err.text, "u_diffuse_map");
     check_contains(err.text, "rectangles");
@@ -444,12 +454,14 @@ static void the_shape_of_a_variant_follows_its_axes(void **state)
     sb_variant_put(&variant, SB_AXIS_WIDTH, 320);
     sb_variant_put(&variant, SB_AXIS_HEIGHT, 200);
     sb_variant_put(&variant, SB_AXIS_LAYERS, 7);
+    sb_variant_put(&variant, SB_AXIS_SAMPLES, 8);
     for (int i = 0; i < SB_TARGET_VALUE_COUNT; i++) {
         sb_variant_put(&variant, SB_AXIS_TARGET, i);
         const struct sb_shape shape = sb_shape_of(&variant);
         assert_int_equal(shape.width, 320);
         assert_int_equal(shape.height, 200);
         assert_int_equal(shape.layers, 7);
+        assert_int_equal(shape.samples, 8);
         assert_int_equal(shape.format, format[i]);
     }
 }

@@ -32,25 +32,56 @@ static inline void add_vertex_shader(struct sb_text *text, bool gles)
                       "}\n");
 }
 
-// The structs, and counts[type] lights of each type as uniforms or as the block Lights.
-static inline void add_lights(struct sb_text *text, const int counts[SB_LIGHT_TYPE_COUNT],
-                              bool block)
+enum light_storage { AS_UNIFORMS, AS_ARRAYS, AS_STD140, AS_SHARED, LIGHT_STORAGES };
+
+struct light_text {                   // lights as a shader declares them
+    int count[SB_LIGHT_STRUCT_COUNT]; // array sizes; 0: no array
+    enum light_storage storage;
+};
+
+static inline const char *member_type(const struct sb_light_field *field)
 {
-    for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++) {
-        const struct sb_light_type_row *row = &sb_light_types[type];
-        sb_text_printf(text, "struct light%d {\n", type);
-        for (int f = 0; f < row->field_count; f++)
-            sb_text_printf(text, "    %s %s;\n",
-                           row->field[f].components == 1 ? "float" : "vec3",
-                           row->field[f].name);
-        sb_text_add(text, "};\n");
+    return field->components == 1 ? "float" : "vec3";
+}
+
+// "u_point[3].diffuse", or "u_point_diffuse[3]".
+static inline void add_member(struct sb_text *text, const struct light_text *lights,
+                              int number, int light, const struct sb_light_field *field)
+{
+    const char *array = sb_light_structs[number].array;
+    if (lights->storage == AS_ARRAYS)
+        sb_text_printf(text, "%s_%s[%d]", array, field->name, light);
+    else
+        sb_text_printf(text, "%s[%d].%s", array, light, field->name);
+}
+
+static inline void add_lights(struct sb_text *text, const struct light_text *lights)
+{
+    const bool arrays = lights->storage == AS_ARRAYS,
+               block = lights->storage >= AS_STD140;
+    for (int s = 0; s < SB_LIGHT_STRUCT_COUNT; s++) {
+        const struct sb_light_struct *row = &sb_light_structs[s];
+        if (!arrays)
+            sb_text_printf(text, "struct %s {\n", row->type);
+        for (int f = 0; f < row->field_count; f++) {
+            const struct sb_light_field *field = &row->field[f];
+            if (!arrays)
+                sb_text_printf(text, "    %s %s;\n", member_type(field), field->name);
+            else if (lights->count[s] > 0)
+                sb_text_printf(text, "uniform %s %s_%s[%d];\n", member_type(field),
+                               row->array, field->name, lights->count[s]);
+        }
+        if (!arrays)
+            sb_text_add(text, "};\n");
     }
     if (block)
-        sb_text_add(text, "layout(std140) uniform Lights {\n");
-    for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++) {
-        if (counts[type] > 0)
-            sb_text_printf(text, "%s light%d %s[%d];\n", block ? "   " : "uniform", type,
-                           sb_light_types[type].array, counts[type]);
+        sb_text_printf(text, "layout(%s) uniform Lights {\n",
+                       lights->storage == AS_STD140 ? "std140" : "shared");
+    for (int s = 0; !arrays && s < SB_LIGHT_STRUCT_COUNT; s++) {
+        if (lights->count[s] > 0)
+            sb_text_printf(text, "%s%s %s[%d];\n", block ? "    " : "uniform ",
+                           sb_light_structs[s].type, sb_light_structs[s].array,
+                           lights->count[s]);
     }
     if (block)
         sb_text_add(text, "};\n");

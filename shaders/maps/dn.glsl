@@ -1,0 +1,3 @@
+// maps=diffuse+normal.
+#include "maps/d.glsl"
+#include "maps/n.glsl"

@@ -1,0 +1,7 @@
+// maps=normal: normals of the surface's own frame, [-1, 1] stored in [0, 1].
+uniform SAMPLER2D u_normal_map;
+
+P_SAMPLER vec3 normal_map(P_VARYING vec2 uv)
+{
+    return TEXTURE(u_normal_map, uv).rgb * 2.0 - 1.0;
+}

@@ -1,0 +1,3 @@
+// maps=specular+normal.
+#include "maps/s.glsl"
+#include "maps/n.glsl"

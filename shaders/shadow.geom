@@ -1,0 +1,27 @@
+// Geometry shader of the program "shadow" for shadow_pass=layered: one triangle into the six
+// layers of a caster.
+#include "version/$(GLSL_FAMILY).glsl"
+
+layout(triangles) in;
+layout(triangle_strip, max_vertices = 18) out;
+
+in highp vec3 v_world[];
+out P_VARYING vec3 v_position;
+
+uniform highp mat4 u_face[6]; // world to clip
+uniform highp int u_first_layer;
+
+void main()
+{
+    for (int face = 0; face < 6; face++) {
+        for (int i = 0; i < 3; i++) {
+            // Set for every vertex: which one counts is the driver's choice, and what was
+            // written is undefined after EmitVertex() (GLSL 4.60, 7.1.4 and 8.15).
+            gl_Layer = u_first_layer + face;
+            v_position = v_world[i];
+            gl_Position = u_face[face] * vec4(v_world[i], 1.0);
+            EmitVertex();
+        }
+        EndPrimitive();
+    }
+}

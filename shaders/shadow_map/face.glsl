@@ -1,0 +1,17 @@
+// Which of the faces XP XN YP YN ZP ZN a direction from the light meets, and where: x and y in
+// [0, 1], z the number of the face. The axes of the faces are those of cameras that look along
+// the face's direction with "up" y for X and Z, x for YP and -x for YN.
+P_POSITION vec3 shadow_face(P_POSITION vec3 direction)
+{
+    P_POSITION vec3 d = direction;
+    P_POSITION vec3 a = abs(d);
+    P_POSITION float m = max(a.x, max(a.y, a.z));
+    P_POSITION vec3 at;
+    if (a.z == m)
+        at = d.z > 0.0 ? vec3(-d.x, d.y, 4.0) : vec3(d.x, d.y, 5.0);
+    else if (a.x == m)
+        at = d.x > 0.0 ? vec3(d.z, d.y, 0.0) : vec3(-d.z, d.y, 1.0);
+    else
+        at = d.y > 0.0 ? vec3(-d.z, d.x, 2.0) : vec3(-d.z, -d.x, 3.0);
+    return vec3(at.xy / m * 0.5 + 0.5, at.z);
+}

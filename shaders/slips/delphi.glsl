@@ -1,0 +1,1 @@
+// The text of `delphi` has no slip (docs/sources.md).

@@ -1,0 +1,1 @@
+// text=corrected: no slip of a source text is reproduced (docs/sources.md).

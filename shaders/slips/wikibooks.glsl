@@ -1,0 +1,1 @@
+// The text of `wikibooks` has no slip (docs/sources.md).

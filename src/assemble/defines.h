@@ -1,0 +1,23 @@
+// The macros that every shader of a variant begins with.
+#pragma once
+
+#include "axis/variant.h"
+#include "effects/effects.h"
+#include "glsl/glsl.h"
+#include "scene/lights.h"
+
+// Of the light structs two macros each, and some of which there is one.
+enum { SB_DEFINE_MAX = SB_AXIS_MAX + SB_EFFECT_COUNT + 2 * SB_LIGHT_STRUCT_COUNT + 8 };
+
+struct sb_defines {
+    struct sb_glsl_define row[SB_DEFINE_MAX];
+    int count;
+    struct sb_arena *arena; // the caller's: holds the texts
+};
+
+// Every axis that has a macro, and what follows from several axes together: the effects, the
+// light counts and array sizes, the repetitions of loop=unrolled, the slips of a text. The
+// variant must have no `auto` left. SB_BAD_INPUT where an axis of a suite takes a name twice.
+bool sb_defines_make(struct sb_defines *defines, const struct sb_axes *axes,
+                     const struct sb_variant *variant, const char *family,
+                     struct sb_error *err);

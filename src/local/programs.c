@@ -1,0 +1,79 @@
+// The programs of a job, by role.
+#include <inttypes.h>
+#include <string.h>
+
+#include "base/hash.h"
+#include "base/mem.h"
+#include "local/state.h"
+
+static const char *const roles[SB_LOCAL_ROLE_COUNT] = {
+    [SB_LOCAL_SHADE] = "shade",
+    [SB_LOCAL_SHADOW] = "shadow",
+    [SB_LOCAL_LAMP] = "lamp",
+};
+
+// Place in `roles` of a program's role, or SB_LOCAL_ROLE_COUNT.
+static int role_of(const struct sb_program *program)
+{
+    int role = 0;
+    while (role < SB_LOCAL_ROLE_COUNT && strcmp(roles[role], program->role) != 0)
+        role++;
+    return role;
+}
+
+static bool refused(const struct sb_gl_program *program, int place, const char *role,
+                    struct sb_prepared *result)
+{
+    static const char *const stages[] = {
+        [SB_STAGE_LINK] = "the program \"%s\" does not link: %.*s",
+        [SB_STAGE_VERT] = "the vertex shader of program \"%s\" does not compile: %.*s",
+        [SB_STAGE_GEOM] = "the geometry shader of program \"%s\" does not compile: %.*s",
+        [SB_STAGE_FRAG] = "the fragment shader of program \"%s\" does not compile: %.*s",
+    };
+    result->failed_program = place;
+    result->failed_stage = program->failed_stage;
+    result->log = sb_strdup(program->log ? program->log : "");
+    const size_t line = strcspn(result->log, "\n");
+    return sb_fail(&result->error, SB_COMPILE_FAILED, stages[result->failed_stage], role,
+                   (int)(line < 800 ? line : 800), result->log);
+}
+
+// One hash for all programs of the job; 0, and no hash, where one of them has none.
+static void add_hash(struct sb_prepared *result, int place, uint64_t hash)
+{
+    const bool none = hash == 0 || (place > 0 && result->binary_hash == 0);
+    const uint64_t before = place > 0 ? result->binary_hash : SB_HASH_START;
+    result->binary_hash = none ? 0 : sb_hash(before, &hash, sizeof hash);
+}
+
+bool sb_local_compile(struct sb_local_job *job, const struct sb_job *request,
+                      struct sb_prepared *result)
+{
+    for (int i = 0; i < request->program_count; i++) {
+        const struct sb_program *source = &request->program[i];
+        const int role = role_of(source);
+        if (role == SB_LOCAL_ROLE_COUNT || job->program[role].name != 0)
+            return sb_fail(&result->error, SB_BAD_INPUT,
+                           "job %" PRIu32 ": a program for the role \"%s\"; valid: one "
+                           "each for shade, shadow and lamp",
+                           request->id, source->role);
+        struct sb_gl_program *program = &job->program[role];
+        const bool ok = sb_gl_program_make(source, program);
+        result->compile_ms += program->compile_ms;
+        result->link_ms += program->link_ms;
+        if (!ok)
+            return refused(program, i, source->role, result);
+        add_hash(result, i, program->binary_hash);
+    }
+    return true;
+}
+
+bool sb_local_has_role(const struct sb_local_job *job, enum sb_local_role role,
+                       struct sb_error *err)
+{
+    if (job->program[role].name != 0)
+        return true;
+    return sb_fail(err, SB_BAD_INPUT,
+                   "job %" PRIu32 " has no program for the role \"%s\"", job->id,
+                   roles[role]);
+}

@@ -1,0 +1,100 @@
+// Normal maps: one texel turns the normal everywhere, in the frame of tangent, bitangent and
+// normal.
+#include "relations.h"
+
+static double stored(unsigned char texel)
+{
+    return texel / 255.0 * 2 - 1;
+}
+
+// The normal of the map in the frame of the square, whose normal is +z.
+static struct sb_vec3 mapped_normal(const struct setting *setting)
+{
+    const struct sb_vec3 up = {0, 0, 1}, tangent = vec(setting->tangent);
+    const struct sb_vec3 bitangent =
+        sb_vec3_scale(sb_vec3_cross(up, tangent), setting->tangent[3]);
+    struct sb_vec3 sum = sb_vec3_scale(tangent, stored(setting->normal[0]));
+    sum = sb_vec3_add(sum, sb_vec3_scale(bitangent, stored(setting->normal[1])));
+    sum = sb_vec3_add(sum, sb_vec3_scale(up, stored(setting->normal[2])));
+    return sb_vec3_normalise(sum);
+}
+
+static bool by_map(const struct setting *setting, struct sb_vec3 place, double colour[3])
+{
+    const struct sb_vec3 at = vec(setting->light[0].position);
+    struct form form = form_begin(setting, place, sb_vec3_sub(at, place));
+    form.normal = mapped_normal(setting);
+    colour[1] = form_diffuse(&form);
+    colour[2] = form_blinn(&form);
+    return fabs(sb_vec3_dot(form.normal, form.to_light)) > 1e-4; // an edge of highlights
+}
+
+static const char *const spaces[] = {
+    "maps=normal ambient=none attenuation=none",
+    "maps=normal ambient=none attenuation=none space=view",
+    "maps=normal ambient=none attenuation=none hoist=per_light",
+    "maps=normal ambient=none attenuation=none normalise=off",
+};
+
+static void setting_make(struct setting *setting)
+{
+    setting_init(setting);
+    setting_one(setting, SB_LIGHT_POINT, light_at(0.5, -0.25, 0.75));
+}
+
+static void check_map(const struct setting *setting)
+{
+    for (int i = 0; i < 4; i++)
+        check_form(setting, spaces[i], by_map, 4e-6, SIDE * SIDE * 9 / 10);
+}
+
+// (0.5, 0.5, 1) lies between two texels, half of 1/255 from each.
+void a_flat_normal_map_is_none(void **state)
+{
+    (void)state;
+    struct setting setting;
+    setting_make(&setting);
+    for (int i = 0; i < 4; i++) {
+        setting.normal[0] = i & 1 ? 127 : 128;
+        setting.normal[1] = i & 2 ? 127 : 128;
+        // The normal turns by 1/255 at most along each axis, the power multiplies that.
+        const double turned = sqrt(2) / 255;
+        check_same(&setting, spaces[0], &setting, "ambient=none attenuation=none", 1,
+                   turned * setting.shininess);
+        check_map(&setting);
+    }
+}
+
+void a_texel_turns_the_normal_in_the_frame_of_the_surface(void **state)
+{
+    (void)state;
+    static const unsigned char texels[][3] = {
+        {200, 128, 220}, {128, 60, 220}, {40, 180, 200}, {255, 128, 128}};
+    struct setting setting;
+    setting_make(&setting);
+    for (int t = 0; t < 4; t++)
+        for (int turn = 0; turn < 2; turn++) {
+            memcpy(setting.normal, texels[t], 3);
+            setting.tangent[0] = turn ? 0.6f : 1;
+            setting.tangent[1] = turn ? -0.8f : 0;
+            check_map(&setting);
+        }
+}
+
+void a_mirrored_frame_turns_it_the_other_way(void **state)
+{
+    (void)state;
+    static const unsigned char tilted[] = {100, 200, 220}, mirrored[] = {100, 55, 220};
+    struct setting setting, other;
+    setting_make(&setting);
+    memcpy(setting.normal, tilted, 3);
+    setting.tangent[0] = 0.6f;
+    setting.tangent[1] = -0.8f;
+    other = setting;
+    setting.tangent[3] = -1;
+    check_map(&setting);
+    check_other(&setting, spaces[0], &other, spaces[0], 0.05);
+    // What it turns the other way is the part along the bitangent: texel b against 255 - b.
+    memcpy(other.normal, mirrored, 3);
+    check_same(&setting, spaces[0], &other, spaces[0], 1, 4e-6);
+}
