@@ -1,21 +1,9 @@
 // The program on a real context, from its arguments to files, tables and exit codes.
-#include "cli_fixture.h"
-
-#include "gl_test.h"
+#include "cli_gl.h"
 
 // Few and short: what is drawn is on trial here, not how exactly it is timed.
 #define MEASURE "measure: {rounds: 10, first_look: 10, budget: 1, batch: 1}\n"
 #define SMALL   "base: {width: 64, height: 64, "
-
-static char platform[64]; // "--context egl --api gl"
-static struct sb_caps caps;
-
-// What is the driver's, whatever opens it, is tried in one kind of context: starts take
-// seconds, since each proves its timers.
-static bool is_egl(void)
-{
-    return strcmp(gl_test_context(), "egl") == 0;
-}
 
 static void run_suite(struct answer *answer, const char *name, const char *text,
                       const char *more)
@@ -24,7 +12,7 @@ static void run_suite(struct answer *answer, const char *name, const char *text,
     snprintf(file, sizeof file, "%s.yaml", name);
     write_file(file, text);
     snprintf(line, sizeof line, "run @/%s -q %s -o @/%s %s", file, platform, name, more);
-    run_program(answer, line);
+    run_timed(answer, line);
 }
 
 // The line of summary.csv on which these cells stand, `count` column and value pairs.
@@ -278,16 +266,7 @@ static void up_to_256_lights_of_each_type_run_or_name_the_limit(void **state)
 
 int main(void)
 {
-    struct gl_test test;
-    gl_test_open(&test); // or the end, where there is no such context
-    caps = test.caps;
-    gl_test_close(&test);
-    begin_tests();
-    snprintf(platform, sizeof platform, "--context %s --api %s", gl_test_context(),
-             gl_test_gles() ? "gles" : "gl");
-    // The program has no shim that keeps the driver's modules mapped, so the leaks of the
-    // driver would have no name there; the programs of local_*.c look for ours.
-    setenv("ASAN_OPTIONS", "handle_segv=2:detect_leaks=0", 1);
+    begin_gl_tests();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_axes_do_on_a_driver_what_they_say),
         cmocka_unit_test(precision_in_the_rows_is_what_the_probe_measured),

@@ -1,16 +1,6 @@
 // `shadebench verify --classes` on a real context: every class of the shipped suite holds, and a
 // shader that is broken in one place breaks the class that it belongs to.
-#include "cli_fixture.h"
-
-#include "gl_test.h"
-
-static char platform[64]; // "--context egl --api gl"
-
-// The drivers of the other contexts are the same, and the suite takes half a minute.
-static bool is_egl(void)
-{
-    return strcmp(gl_test_context(), "egl") == 0;
-}
+#include "cli_gl.h"
 
 static void every_class_of_the_shipped_suite_draws_one_picture(void **state)
 {
@@ -108,14 +98,7 @@ static void a_variant_that_does_not_compile_fails(void **state)
 
 int main(void)
 {
-    struct gl_test test;
-    gl_test_open(&test); // or the end, where there is no such context
-    gl_test_close(&test);
-    begin_tests();
-    snprintf(platform, sizeof platform, "--context %s --api %s", gl_test_context(),
-             gl_test_gles() ? "gles" : "gl");
-    // As in cli_context.c: the driver's leaks would have no name here.
-    setenv("ASAN_OPTIONS", "handle_segv=2:detect_leaks=0", 1);
+    begin_gl_tests();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_class_of_the_shipped_suite_draws_one_picture),
         cmocka_unit_test(a_value_that_draws_something_else_breaks_its_class),

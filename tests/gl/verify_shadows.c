@@ -1,9 +1,5 @@
 // A run with shadows on a real context: the split of its time, and the pictures of its maps.
-#include "cli_fixture.h"
-
-#include "gl_test.h"
-
-static char platform[64]; // "--context egl --api gl"
+#include "cli_gl.h"
 
 static double number(const struct sb_csv *csv, int line, const char *column)
 {
@@ -14,6 +10,7 @@ static void shadow_maps_that_are_drawn_each_frame_have_a_time_and_all_have_pictu
     void **state)
 {
     (void)state;
+    static struct answer answer;
     char line[512];
     struct sb_csv csv;
     write_file("shadows.yaml",
@@ -24,7 +21,9 @@ static void shadow_maps_that_are_drawn_each_frame_have_a_time_and_all_have_pictu
                "measure: {rounds: 10, first_look: 10, budget: 5, batch: 1, span: 0}\n");
     snprintf(line, sizeof line, "run @/shadows.yaml -q --images -o @/shadows %s",
              platform);
-    check_answer(line, 0, "lights+shadows");
+    run_timed(&answer, line);
+    if (answer.code != 0)
+        fail_msg("%s\nexit code %d: %s", line, answer.code, answer.text);
     read_csv("shadows/summary.csv", &csv);
     assert_int_equal(csv.row_count, 1 + 6);
     for (int i = 1; i <= 6; i++) {
@@ -54,14 +53,7 @@ static void shadow_maps_that_are_drawn_each_frame_have_a_time_and_all_have_pictu
 
 int main(void)
 {
-    struct gl_test test;
-    gl_test_open(&test); // or the end, where there is no such context
-    gl_test_close(&test);
-    begin_tests();
-    snprintf(platform, sizeof platform, "--context %s --api %s", gl_test_context(),
-             gl_test_gles() ? "gles" : "gl");
-    // As in cli_context.c: the driver's leaks would have no name here.
-    setenv("ASAN_OPTIONS", "handle_segv=2:detect_leaks=0", 1);
+    begin_gl_tests();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(
             shadow_maps_that_are_drawn_each_frame_have_a_time_and_all_have_pictures),
