@@ -76,7 +76,10 @@ static void the_light_counts_are_those_that_shine_and_the_sizes_those_of_the_arr
          {"1", "3", "0", "0", "4"}},
         {"dir=1 loop=padded layout=unified point=1 capacity=5",
          {"1", "1", "0", "0", "2"},
-         {"1", "5", "5", "0", "11"}},
+         {"1", "1", "0", "0", "5"}},
+        {"dir=1 loop=dynamic layout=unified point=5 spot=1 capacity=5",
+         {"1", "5", "1", "0", "7"},
+         {"1", "5", "1", "0", "7"}},
     };
     static const char *const names[] = {"DIR_LIGHTS", "POINT_LIGHTS", "SPOT_LIGHTS",
                                         "AREA_LIGHTS", "LIGHTS"};
@@ -421,7 +424,7 @@ static void a_free_slot_calls_for_the_effects_of_its_light(void **state)
         {"point=1 loop=padded", "IF_CONE", "(code) "},
         {"point=1 loop=padded capacity=2", "IF_CONE", "(code) code"},
         {"loop=dynamic capacity=2 ambient=none", "IF_DIFFUSE", "(code) code"},
-        {"layout=unified loop=dynamic capacity=2", "IF_CONE", "(code) code"},
+        {"layout=unified loop=dynamic point=1 capacity=2", "IF_CONE", "(code) "},
         {"dir=1 sun=100", "IF_DIFFUSE", "(code) "},
         {"dir=1 sun=30", "IF_DIFFUSE", "(code) code"},
         {"dir=1 sun=100 loop=padded", "IF_DIFFUSE", "(code) code"},

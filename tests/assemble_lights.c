@@ -229,9 +229,9 @@ static void free_slots_are_off(void **state)
     end(&f);
 
     begin(&f, "sphere",
-          "storage=global loop=dynamic layout=unified capacity=2 dir=1 point=1 spot=1");
+          "storage=global loop=dynamic layout=unified capacity=5 dir=1 point=1 spot=1");
     row = &sb_light_structs[SB_LIGHT_UNIFIED];
-    read_globals(&f, row, read, 1 + 2 + 2); // the free ones behind all lights
+    read_globals(&f, row, read, 5); // the free ones behind all lights
     for (int i = 0; i < 5; i++)
         assert_true((read[i].diffuse[0] > 0) == (i < 3));
     check_same(&f, row, &read[4], &off);

@@ -164,8 +164,14 @@ static void arrays_have_the_slots_that_their_loop_wants(void **state)
     }
     struct sb_variant unified = counted(0, 0, -91, SB_LOOP_PADDED, 5);
     unified.value[SB_AXIS_LAYOUT] = SB_LAYOUT_UNIFIED;
-    assert_int_equal(sb_lights_slots(&unified, SB_LIGHT_SPOT), 5);
-    assert_int_equal(sb_lights_slots(&unified, SB_LIGHT_AREA), 0);
+    // The one array has room for five in all, whatever their types.
+    assert_int_equal(sb_lights_slots(&unified, SB_LIGHT_SPOT), 0);
+    assert_int_equal(sb_lights_unified_slots(&unified), 5);
+    unified.value[SB_AXIS_POINT] = 4;
+    unified.value[SB_AXIS_SPOT] = 3;
+    assert_int_equal(sb_lights_unified_slots(&unified), 7);
+    unified.value[SB_AXIS_LAYOUT] = SB_LAYOUT_SPLIT;
+    assert_int_equal(sb_lights_unified_slots(&unified), 5 + 5 + 5);
 }
 
 int main(void)

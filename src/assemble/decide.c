@@ -82,21 +82,27 @@ static void count_others(const struct sb_variant *variant, struct need *need)
 }
 
 // A member of an array of structs and an array for that member are packed alike.
+static void count_array(const struct sb_variant *variant, int row, int64_t slots,
+                        struct need *need)
+{
+    struct sb_light_members members;
+    sb_light_members_of(&sb_light_structs[row], variant, &members);
+    for (int i = 0; i < members.count; i++) {
+        need->least += slots * members.field[i]->components;
+        need->most += slots * 4;
+    }
+    need->block += slots * (int64_t)sb_light_std140_size(&members);
+}
+
 static void count(const struct sb_variant *variant, struct need *need)
 {
-    const bool unified = variant->value[SB_AXIS_LAYOUT] == SB_LAYOUT_UNIFIED;
     count_others(variant, need);
-    for (int t = 0; t < SB_LIGHT_TYPE_COUNT; t++) {
-        const int64_t slots = sb_lights_slots(variant, (enum sb_light_type)t);
-        struct sb_light_members members;
-        sb_light_members_of(&sb_light_structs[unified ? SB_LIGHT_UNIFIED : t], variant,
-                            &members);
-        for (int i = 0; i < members.count; i++) {
-            need->least += slots * members.field[i]->components;
-            need->most += slots * 4;
-        }
-        need->block += slots * (int64_t)sb_light_std140_size(&members);
+    if (variant->value[SB_AXIS_LAYOUT] == SB_LAYOUT_UNIFIED) {
+        count_array(variant, SB_LIGHT_UNIFIED, sb_lights_unified_slots(variant), need);
+        return;
     }
+    for (int t = 0; t < SB_LIGHT_TYPE_COUNT; t++)
+        count_array(variant, t, sb_lights_slots(variant, (enum sb_light_type)t), need);
 }
 
 struct room { // where the lights may go, and what there is for them

@@ -118,12 +118,14 @@ struct span { // of the lights that one loop goes through
 
 static struct span span_of(const struct sb_variant *variant, int row)
 {
-    struct span span = {0};
+    const bool all = row == SB_LIGHT_UNIFIED;
+    struct span span = {
+        .slots = all ? sb_lights_unified_slots(variant)
+                     : sb_lights_slots(variant, (enum sb_light_type)row),
+    };
     for (int t = 0; t < SB_LIGHT_TYPE_COUNT; t++) {
-        if (row != t && row != SB_LIGHT_UNIFIED)
-            continue;
-        span.shining += sb_lights_shining(variant, (enum sb_light_type)t);
-        span.slots += sb_lights_slots(variant, (enum sb_light_type)t);
+        if (row == t || all)
+            span.shining += sb_lights_shining(variant, (enum sb_light_type)t);
     }
     if (row == SB_LIGHT_POINT) // those that cast shadows have a loop of their own
         span.first = (int)variant->value[SB_AXIS_SHADOWS];

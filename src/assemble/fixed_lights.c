@@ -113,11 +113,10 @@ static void collect(struct sb_scene *scene, const struct sb_variant *variant,
                     struct fixed *fixed)
 {
     const bool unified = variant->value[SB_AXIS_LAYOUT] == SB_LAYOUT_UNIFIED;
-    int slots[SB_LIGHT_TYPE_COUNT], total = 0;
-    for (int t = 0; t < SB_LIGHT_TYPE_COUNT; t++) {
+    const int total = sb_lights_unified_slots(variant);
+    int slots[SB_LIGHT_TYPE_COUNT];
+    for (int t = 0; t < SB_LIGHT_TYPE_COUNT; t++)
         slots[t] = sb_lights_slots(variant, (enum sb_light_type)t);
-        total += slots[t];
-    }
     struct sb_light *out =
         sb_arena_alloc(&scene->arena, (size_t)(total + 1) * sizeof *out);
     if (unified && total > 0)

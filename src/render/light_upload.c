@@ -96,21 +96,9 @@ static void find_struct(struct search *search, int struct_number, int list, int 
     }
 }
 
-// How many lights of a type the program's arrays may hold: docs/glsl.md, MAX_POINT_LIGHTS.
-static int capacity_of(const struct sb_variant *variant, const struct sb_lights *lights,
-                       int type)
+static int larger(int a, int b)
 {
-    const double *value = variant->value;
-    const double loop = value[SB_AXIS_LOOP];
-    int capacity = lights->count[type];
-    if (loop != SB_LOOP_DYNAMIC && loop != SB_LOOP_PADDED)
-        return capacity;
-    // At night the sun is not in the list, but its entry of the array is there.
-    if (capacity < value[sb_light_structs[type].axis])
-        capacity = (int)value[sb_light_structs[type].axis];
-    if (type != SB_LIGHT_DIR && capacity < value[SB_AXIS_CAPACITY])
-        capacity = (int)value[SB_AXIS_CAPACITY];
-    return capacity;
+    return a > b ? a : b;
 }
 
 // Fills upload->block_size and ->buffer where there is a block Lights.
@@ -147,13 +135,13 @@ void sb_light_upload_make(struct sb_light_upload *upload, GLuint program,
         .pads = value[SB_AXIS_LOOP] == SB_LOOP_PADDED && !stale,
     };
     const bool unified = value[SB_AXIS_LAYOUT] == SB_LAYOUT_UNIFIED;
-    int total = 0;
     for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++) {
-        const int capacity = capacity_of(variant, lights, type);
-        total += capacity;
-        find_struct(&search, type, type, unified ? 0 : capacity);
+        const int slots = larger(lights->count[type],
+                                 sb_lights_slots(variant, (enum sb_light_type)type));
+        find_struct(&search, type, type, unified ? 0 : slots);
     }
-    find_struct(&search, SB_LIGHT_UNIFIED, WHOLE_LIST, unified ? total : 0);
+    const int slots = larger(sb_lights_total(lights), sb_lights_unified_slots(variant));
+    find_struct(&search, SB_LIGHT_UNIFIED, WHOLE_LIST, unified ? slots : 0);
 
     // A program has its lights in a block or in arrays, not in both.
     if (search.staged_size < (size_t)upload->block_size)

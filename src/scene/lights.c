@@ -156,10 +156,21 @@ int sb_lights_slots(const struct sb_variant *variant, enum sb_light_type type)
         return sb_lights_shining(variant, type);
     if (type == SB_LIGHT_DIR) // the slot of a sun that is down stays
         return asked;
-    // The struct of layout=unified knows no shapes.
-    if (type == SB_LIGHT_AREA && variant->value[SB_AXIS_LAYOUT] == SB_LAYOUT_UNIFIED)
-        return asked;
+    if (variant->value[SB_AXIS_LAYOUT] == SB_LAYOUT_UNIFIED)
+        return asked; // free slots are of no type
     return capacity > asked ? capacity : asked;
+}
+
+int sb_lights_unified_slots(const struct sb_variant *variant)
+{
+    const int capacity = (int)variant->value[SB_AXIS_CAPACITY];
+    const int loop = (int)variant->value[SB_AXIS_LOOP];
+    int slots = 0;
+    for (int t = 0; t < SB_LIGHT_TYPE_COUNT; t++)
+        slots += sb_lights_slots(variant, (enum sb_light_type)t);
+    const bool roomy = loop == SB_LOOP_DYNAMIC || loop == SB_LOOP_PADDED;
+    const bool unified = variant->value[SB_AXIS_LAYOUT] == SB_LAYOUT_UNIFIED;
+    return roomy && unified && capacity > slots ? capacity : slots;
 }
 
 // --- making them -----------------------------------------------------------------------

@@ -56,6 +56,9 @@ int sb_lights_shining(const struct sb_variant *variant, enum sb_light_type type)
 // uploaded, or skips what is off, there may be more than shine.
 int sb_lights_slots(const struct sb_variant *variant, enum sb_light_type type);
 
+// The same of layout=unified, which has one array for all types.
+int sb_lights_unified_slots(const struct sb_variant *variant);
+
 // --- the GLSL structs ------------------------------------------------------------------
 
 // The values a field may have; the words for them stand in validate.c.
