@@ -59,7 +59,7 @@ static bool find_presets(const struct sb_suite_params *params, struct sb_arena *
     int room = list ? node->count : 1;
     for (const char *p = params->preset ? params->preset : ""; *p; p++)
         room += *p == ',';
-    files->preset = sb_arena_alloc(arena, (size_t)room * sizeof *files->preset);
+    files->preset = sb_arena_alloc(arena, (size_t)room * sizeof(struct sb_yaml *));
     files->preset_name = sb_arena_alloc(arena, (size_t)room * sizeof *files->preset_name);
     char *rest = params->preset ? sb_arena_strdup(arena, params->preset) : NULL;
     for (char *name = rest; name; name = rest) {

@@ -103,7 +103,8 @@ static bool check_range(const struct sb_axis *axis, const struct range *range,
 static double unit_of(const struct range *range)
 {
     static const double most = 9007199254740992.0; // 2^53
-    for (double unit = 1; unit <= 1e15; unit *= 10) {
+    double unit = 1;
+    for (int decimals = 0; decimals <= 15; decimals++, unit *= 10) {
         const double first = round(range->first * unit), by = round(range->by * unit);
         if (first / unit == range->first && by / unit == range->by &&
             fabs(first) + by * SB_VALUES_MAX < most)
