@@ -95,8 +95,8 @@ static void auto_storage_is_uniform_as_far_as_the_loosest_packing_fits(void **st
         {"layout=unified point=21", "layout=unified point=22"},
         {"layout=unified dir=6 point=6 spot=9", "layout=unified dir=6 point=6 spot=10"},
         {"dir=80 sun=100", "dir=81 sun=100"}, // one is below the horizon
-        {"point=1 loop=padded capacity=9 area=1",
-         "point=1 loop=padded capacity=10 area=1"},
+        {"point=1 loop=padded capacity=15 area=1",
+         "point=1 loop=padded capacity=16 area=1"},
         {"point=38 space=view", "point=39 space=view"},
         {"point=39 hoist=per_light", "dir=1 point=39 hoist=per_light"},
         {"dir=78 loop=dynamic", "dir=79 loop=dynamic"},
@@ -159,12 +159,31 @@ static void a_block_is_refused_where_it_is_too_large(void **state)
     check_refused("storage=ubo_shared ambient=per_light point=256 dir=1", &caps,
                   SB_OVER_LIMIT,
                   "storage=ubo_shared: the lights want a uniform block of 16448 bytes");
-    check_refused("storage=ubo_std140 loop=padded capacity=256", &caps, SB_OVER_LIMIT,
-                  "bytes");
+    check_refused("storage=ubo_std140 point=1 spot=1 loop=padded capacity=256", &caps,
+                  SB_OVER_LIMIT, "bytes");
     check_refused("storage=ubo_std140 ambient=per_light layout=unified point=171", &caps,
                   SB_OVER_LIMIT, "16416 bytes");
     caps.uniform_block_size = 65536;
     decided("storage=ubo_std140 dir=256 point=256 spot=256", &caps, SB_AXIS_STORAGE);
+}
+
+// A slip that nothing is left of would be a second name for the corrected text.
+static void slips_are_refused_where_the_variant_leaves_nothing_of_them(void **state)
+{
+    (void)state;
+    struct sb_caps caps;
+    sb_caps_ideal(false, &caps);
+    check_refused(
+        "source=lwjgl text=as_written point=1", &caps, SB_BAD_INPUT,
+        "space=world with text=as_written of lwjgl: its slips are those of view "
+        "space; valid: space=view, or text=corrected");
+    check_refused("source=ubo text=as_written point=1 model=blinn", &caps, SB_BAD_INPUT,
+                  "valid: model=phong");
+    check_refused("source=shadows text=as_written point=1 model=lambert", &caps,
+                  SB_BAD_INPUT, "valid: model=phong");
+    decided("source=lwjgl text=as_written point=1 space=view model=blinn", &caps,
+            SB_AXIS_SPACE);
+    decided("source=ubo text=corrected point=1 model=blinn", &caps, SB_AXIS_MODEL);
 }
 
 static void glsl_100_lacks_blocks_constant_arrays_and_free_loop_bounds(void **state)
@@ -210,14 +229,15 @@ static void lights_in_the_text_cannot_be_updated(void **state)
 static void the_slip_of_two_queried_offsets_goes_as_far_as_two_lights(void **state)
 {
     (void)state;
-    const char *const slip = "source=ubo text=as_written storage=ubo_shared point=2";
+    const char *const slip =
+        "source=ubo text=as_written model=phong storage=ubo_shared point=2";
     char words[128];
     decided(slip, NULL, SB_AXIS_STORAGE);
     snprintf(words, sizeof words, "%s dir=1", slip);
     check_refused(words, NULL, SB_BAD_INPUT, "the third of 3");
     snprintf(words, sizeof words, "%s dir=1 sun=100", slip);
     decided(words, NULL, SB_AXIS_STORAGE);
-    decided("source=ubo text=as_written storage=ubo_std140 point=3", NULL,
+    decided("source=ubo text=as_written model=phong storage=ubo_std140 point=3", NULL,
             SB_AXIS_STORAGE);
     decided("source=ubo storage=ubo_shared point=3", NULL, SB_AXIS_STORAGE);
 }
@@ -356,6 +376,7 @@ int main(void)
         cmocka_unit_test(auto_storage_is_uniform_as_far_as_the_loosest_packing_fits),
         cmocka_unit_test(uniform_by_name_is_refused_where_no_packing_fits),
         cmocka_unit_test(a_block_is_refused_where_it_is_too_large),
+        cmocka_unit_test(slips_are_refused_where_the_variant_leaves_nothing_of_them),
         cmocka_unit_test(glsl_100_lacks_blocks_constant_arrays_and_free_loop_bounds),
         cmocka_unit_test(lights_in_the_text_cannot_be_updated),
         cmocka_unit_test(the_slip_of_two_queried_offsets_goes_as_far_as_two_lights),

@@ -67,10 +67,10 @@ static void the_light_counts_are_those_that_shine_and_the_sizes_those_of_the_arr
         {"dir=2 point=3 sun=100", {"1", "3", "0", "0", "4"}, {"1", "3", "0", "0", "4"}},
         {"dir=2 sun=100 loop=padded point=3 capacity=5",
          {"1", "3", "0", "0", "4"},
-         {"2", "5", "5", "5", "17"}},
+         {"2", "5", "0", "0", "7"}},
         {"dir=1 loop=dynamic point=3 capacity=2",
          {"1", "3", "0", "0", "4"},
-         {"1", "3", "2", "2", "8"}},
+         {"1", "3", "0", "0", "4"}},
         {"dir=1 loop=padded point=3",
          {"1", "3", "0", "0", "4"},
          {"1", "3", "0", "0", "4"}},
@@ -129,8 +129,8 @@ static void slips_are_those_of_the_text_that_is_kept_as_written(void **state)
     static const char *const rows[][2] = {
         {"", " none"},
         {"source=lwjgl", " none"},
-        {"source=lwjgl text=as_written", " lwjgl"},
-        {"source=ubo text=as_written", " ubo"},
+        {"source=lwjgl text=as_written space=view", " lwjgl"},
+        {"source=ubo text=as_written model=phong", " ubo"},
         {"source=delphi", " none"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
@@ -422,8 +422,8 @@ static void a_free_slot_calls_for_the_effects_of_its_light(void **state)
         const char *words, *macro, *value;
     } rows[] = {
         {"point=1 loop=padded", "IF_CONE", "(code) "},
-        {"point=1 loop=padded capacity=2", "IF_CONE", "(code) code"},
-        {"loop=dynamic capacity=2 ambient=none", "IF_DIFFUSE", "(code) code"},
+        {"point=1 loop=padded capacity=2", "IF_CONE", "(code) "},
+        {"point=1 spot=1 loop=padded capacity=2", "IF_CONE", "(code) code"},
         {"layout=unified loop=dynamic point=1 capacity=2", "IF_CONE", "(code) "},
         {"dir=1 sun=100", "IF_DIFFUSE", "(code) "},
         {"dir=1 sun=30", "IF_DIFFUSE", "(code) code"},

@@ -60,6 +60,9 @@ static const char *const refused[] = {
     "glsl=100,storage=constant",
     "glsl=100,storage=ubo_std140",
     "glsl=100,storage=ubo_shared",
+    "text=as_written,source=lwjgl,space=world",
+    "text=as_written,source=ubo,model!=phong",
+    "text=as_written,source=shadows,model!=phong",
     "text=as_written,source=ubo,storage=ubo_shared,dir>0|"
     "text=as_written,source=ubo,storage=ubo_shared,point>2|"
     "text=as_written,source=ubo,storage=ubo_shared,spot>0|"

@@ -185,6 +185,27 @@ static void a_picture_with_nan_is_not_timed(void **state)
     fixture_end(&f);
 }
 
+// Whatever such a picture shows, it says nothing of the driver: neither that the values are no
+// numbers, nor that a light changes nothing.
+static void a_picture_that_the_text_leaves_undefined_is_timed_and_not_judged(void **state)
+{
+    (void)state;
+    const struct sb_assignment sets[] = {{"source", "ubo", "--set"},
+                                         {"text", "as_written", "--set"},
+                                         {"model", "phong", "--set"},
+                                         {"point", "2", "--set"}};
+    const struct sb_suite_params params = {.set = sets, .set_count = 4};
+    struct fixture f;
+    next_script.colour = nan_colour;
+    fixture_begin_suite(&f, &params, SETTINGS("first_look", "20", "rounds", "20"));
+    assert_true(fixture_run(&f, false));
+    assert_string_equal(f.result.row[0].status, "ok");
+    check_contains(f.result.row[0].note, "nothing has set: the picture may be anything");
+    assert_true(f.result.row[0].median_ms > 0);
+    assert_int_equal(f.result.exit_code, 0);
+    fixture_end(&f);
+}
+
 // Each variant another picture: with storage varied they are one class, and must not differ.
 static float colour_of_job(void *user, const struct sb_job *job,
                            const struct sb_image_request *request)
@@ -444,6 +465,8 @@ int main(void)
         cmocka_unit_test(the_budget_ends_a_run),
         cmocka_unit_test(a_variant_that_fails_to_compile_costs_only_its_row),
         cmocka_unit_test(a_picture_with_nan_is_not_timed),
+        cmocka_unit_test(
+            a_picture_that_the_text_leaves_undefined_is_timed_and_not_judged),
         cmocka_unit_test(a_class_that_draws_two_pictures_is_refused),
         cmocka_unit_test(variants_of_other_classes_may_differ),
         cmocka_unit_test(a_black_picture_is_not_timed),

@@ -7,6 +7,7 @@
 #include "assemble/defines.h"
 #include "assemble/fixed_lights.h"
 #include "assemble/light_structs.h"
+#include "assemble/platform.h"
 #include "base/file.h"
 #include "base/hash.h"
 
@@ -135,7 +136,8 @@ static const struct sb_glsl_version *decide(const struct sb_assemble_params *par
         return NULL;
     const struct sb_glsl_version *version =
         sb_decide_version(params->axes, params->caps, variant, err);
-    return version && sb_decide_loop(variant, err) &&
+    return version && sb_decide_slips(params->axes, variant, err) &&
+                   sb_decide_loop(variant, err) &&
                    sb_decide_shadows(params->axes, params->caps, variant, err) &&
                    sb_decide_storage(params->axes, params->caps, variant, err)
                ? version
@@ -150,6 +152,7 @@ bool sb_assemble(const struct sb_assemble_params *params, struct sb_assembly *as
     const struct sb_glsl_version *version = decide(params, variant, err);
     assembly->lit_per_vertex = variant->value[SB_AXIS_STAGE] == SB_STAGE_VERTEX;
     assembly->lights_fixed = sb_lights_are_fixed(variant);
+    assembly->undefined = sb_platform_undefined(variant);
     if (!version || !build(params, version, assembly, err))
         return false;
     list_programs(assembly);

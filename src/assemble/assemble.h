@@ -28,6 +28,9 @@ struct sb_assembly {   // owns the job's texts; the job points into it: do not m
     uint64_t source_hash;                           // of all texts
     bool lit_per_vertex; // the lighting is evaluated in the vertex shader
     bool lights_fixed;   // the lights are constants of the program
+    // The program reads what nothing has set, as a source text does: its picture may be
+    // anything, and cannot be judged.
+    bool undefined;
     struct sb_arena arena;
 };
 

@@ -221,6 +221,37 @@ bool sb_decide_storage(const struct sb_axes *axes, const struct sb_caps *caps,
     return check_storage(&room, axes, variant, err);
 }
 
+bool sb_decide_slips(const struct sb_axes *axes, const struct sb_variant *variant,
+                     struct sb_error *err)
+{
+    static const struct {
+        int source, axis, value;
+        const char *why;
+    } rules[] = {
+        {SB_SOURCE_LWJGL, SB_AXIS_SPACE, SB_SPACE_VIEW,
+         "its slips are those of view space"},
+        {SB_SOURCE_UBO, SB_AXIS_MODEL, SB_MODEL_PHONG,
+         "its highlights are of its own kind"},
+        {SB_SOURCE_SHADOWS, SB_AXIS_MODEL, SB_MODEL_PHONG,
+         "its highlights are of its own kind"},
+    };
+    const double *value = variant->value;
+    for (size_t i = 0; i < sizeof rules / sizeof *rules; i++) {
+        const struct sb_axis *axis = &axes->row[rules[i].axis];
+        if (value[SB_AXIS_TEXT] != SB_TEXT_AS_WRITTEN ||
+            value[SB_AXIS_SOURCE] != rules[i].source ||
+            value[rules[i].axis] == rules[i].value)
+            continue;
+        return sb_fail(err, SB_BAD_INPUT,
+                       "%s=%s with text=as_written of %s: %s; valid: %s=%s, or "
+                       "text=corrected",
+                       axis->name, axis->values[(int)value[rules[i].axis]].name,
+                       axes->row[SB_AXIS_SOURCE].values[rules[i].source].name,
+                       rules[i].why, axis->name, axis->values[rules[i].value].name);
+    }
+    return true;
+}
+
 bool sb_decide_loop(const struct sb_variant *variant, struct sb_error *err)
 {
     if (variant->value[SB_AXIS_LOOP] != SB_LOOP_DYNAMIC ||

@@ -35,4 +35,9 @@ bool sb_decide_shadows(const struct sb_axes *axes, const struct sb_caps *caps,
                        const struct sb_variant *variant, struct sb_error *err);
 
 // SB_BAD_INPUT where the GLSL version has no such loop. Call after the version.
+// text=as_written: SB_BAD_INPUT where the variant leaves nothing of the text's slips, or asks
+// for what they replace.
+bool sb_decide_slips(const struct sb_axes *axes, const struct sb_variant *variant,
+                     struct sb_error *err);
+
 bool sb_decide_loop(const struct sb_variant *variant, struct sb_error *err);

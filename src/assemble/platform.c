@@ -96,9 +96,16 @@ struct sb_asked_precision sb_platform_precision(const struct sb_variant *variant
     return asked;
 }
 
+bool sb_platform_undefined(const struct sb_variant *variant)
+{
+    return variant->value[SB_AXIS_TEXT] == SB_TEXT_AS_WRITTEN &&
+           variant->value[SB_AXIS_SOURCE] == SB_SOURCE_UBO;
+}
+
 bool sb_platform_class_exact(const struct sb_variant *variant)
 {
-    return sb_platform_precision(variant).lowest == 0 &&
+    return !sb_platform_undefined(variant) &&
+           sb_platform_precision(variant).lowest == 0 &&
            variant->value[SB_AXIS_FORM] == SB_FORM_ROBUST &&
            variant->value[SB_AXIS_EMULATE] == SB_EMULATE_NONE &&
            variant->value[SB_AXIS_OFFSET] == 0;

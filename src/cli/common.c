@@ -53,14 +53,14 @@ const char *sb_cli_suite_path(const char *word, const char *data_dir,
     const char *path = sb_arena_printf(arena, "%s/%s.yaml", folder, word);
     if (sb_file_exists(path))
         return path;
-    if (sb_cli_fail_axis("suite", word, NULL, err))
-        return NULL;
-    if (strchr(word, '/') || strchr(word, '.'))
-        return word;
     if (sb_file_exists(sb_arena_printf(arena, "%s/presets/%s.yaml", folder, word))) {
         sb_fail(err, SB_USAGE, "\"%s\" is a preset: --preset %s", word, word);
         return NULL;
     }
+    if (sb_cli_fail_axis("suite", word, NULL, err))
+        return NULL;
+    if (strchr(word, '/') || strchr(word, '.'))
+        return word;
     int count;
     char **names = sb_dir_list(arena, folder, ".yaml", &count, err);
     if (!names)

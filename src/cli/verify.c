@@ -211,7 +211,12 @@ int sb_cmd_verify(const struct sb_options *options, int argc, char **argv)
     struct sb_error err = {0};
     struct sb_arena arena = {0};
     struct sb_suite suite = {0};
-    const char *word = options->word_count ? options->word[0] : "classes", *path = NULL;
+    // The shipped suite, unless the command line has a plan of its own.
+    const bool planned = options->preset || options->sweep.count || options->cross.count;
+    const char *word = options->word_count ? options->word[0]
+                       : planned           ? NULL
+                                           : "classes";
+    const char *path = NULL;
     int code;
     const char *data = sb_data_dir(&arena, options->data, &err);
     bool good = data != NULL;
@@ -221,7 +226,7 @@ int sb_cmd_verify(const struct sb_options *options, int argc, char **argv)
         good = !sb_cli_fail_axis("word", options->word[1], NULL, &err) &&
                sb_fail(&err, SB_USAGE, "verify takes one suite; \"%s\" is one too many",
                        options->word[1]);
-    good = good && (path = sb_cli_suite_path(word, data, &arena, &err)) &&
+    good = good && (!word || (path = sb_cli_suite_path(word, data, &arena, &err))) &&
            sb_cli_load_suite(options, path, data, &suite, &err);
     code = good ? verify_classes(options, &suite, data, &err) : sb_cli_fail(&err);
     sb_suite_free(&suite);

@@ -78,9 +78,9 @@ static bool complete(const struct sb_caps *caps, const struct sb_target_params *
     if (params->samples > 1 && samples != params->samples)
         return sb_fail(
             err, SB_OVER_LIMIT,
-            "%d samples a pixel: this driver makes %d of them for a %s target; "
-            "it has no more than %lld (GL_MAX_SAMPLES)",
-            params->samples, samples, formats[params->format].name,
+            "%d samples a pixel: this driver makes %d of them for a %s target; valid "
+            "here: 1 or %d, at most %lld (GL_MAX_SAMPLES)",
+            params->samples, samples, formats[params->format].name, samples,
             (long long)caps->samples);
     return true;
 }

@@ -45,7 +45,10 @@ void sb_check_picture(struct sb_task *task, const struct sb_driver *driver)
     if (!driver->fns->image(driver->runner, &request, &id, &err))
         goto done;
     const bool lit = count_values(&colour, &id, task);
-    if (task->nonfinite)
+    if (task->assembly.undefined)
+        sb_task_note(task, "the text starts from a variable that nothing has set: the "
+                           "picture may be anything, and is not judged");
+    else if (task->nonfinite)
         sb_fail(&err, SB_NON_FINITE, "%lld values of the picture are NaN or infinite",
                 (long long)task->nonfinite);
     else if (task->prepared.fragments == 0)
@@ -178,7 +181,8 @@ void sb_check_lights(struct sb_task *task, const struct sb_prepare_params *param
     struct sb_error err = {0};
     struct sb_task twin = {0};
     const bool fixed = task->assembly.lights_fixed;
-    if (count == 0 || (fixed && !make_twin(task, params, &twin)))
+    if (count == 0 || task->assembly.undefined ||
+        (fixed && !make_twin(task, params, &twin)))
         return;
     struct sb_task *lit = fixed ? &twin : task;
     const bool good =

@@ -146,10 +146,10 @@ static bool make_objects(struct sb_shadow *shadow, struct sb_error *err)
         return true;
     return sb_fail(
         err, SB_OVER_LIMIT,
-        "shadow maps of %d casters, %d texels a side, shadow_store=%s: the driver "
+        "shadow maps of %d caster%s, %d texels a side, shadow_store=%s: the driver "
         "refused them (%s, framebuffer status 0x%04x)",
-        shadow->casters, shadow->size, formats[shadow->store].name,
-        error ? error : "no error", (unsigned)status);
+        shadow->casters, shadow->casters == 1 ? "" : "s", shadow->size,
+        formats[shadow->store].name, error ? error : "no error", (unsigned)status);
 }
 
 // --- lights --------------------------------------------------------------------------------

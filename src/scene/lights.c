@@ -158,7 +158,8 @@ int sb_lights_slots(const struct sb_variant *variant, enum sb_light_type type)
         return asked;
     if (variant->value[SB_AXIS_LAYOUT] == SB_LAYOUT_UNIFIED)
         return asked; // free slots are of no type
-    return capacity > asked ? capacity : asked;
+    // No room for a type that the scene has none of: it would be paid for in each fragment.
+    return asked > 0 && capacity > asked ? capacity : asked;
 }
 
 int sb_lights_unified_slots(const struct sb_variant *variant)
