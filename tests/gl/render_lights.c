@@ -170,6 +170,7 @@ static void padded_init(struct fixture *fixture, bool as_written)
     fixture_init(fixture);
     fixture->variant.value[SB_AXIS_LOOP] = SB_LOOP_PADDED;
     fixture->variant.value[SB_AXIS_CAPACITY] = CAPACITY;
+    fixture->variant.value[SB_AXIS_POINT] = POINT; // room is for types that there are
     if (as_written) {
         fixture->variant.value[SB_AXIS_SOURCE] = SB_SOURCE_LWJGL;
         fixture->variant.value[SB_AXIS_TEXT] = SB_TEXT_AS_WRITTEN;

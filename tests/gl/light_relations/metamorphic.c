@@ -228,9 +228,10 @@ void a_list_that_gets_shorter_leaves_nothing_behind_but_by_the_slip(void **state
         check_shortened(how, false);
         snprintf(how, sizeof how, "loop=dynamic capacity=5 storage=%s", storages[i]);
         check_shortened(how, false);
-        snprintf(how, sizeof how,
-                 "loop=padded capacity=5 storage=%s source=lwjgl text=as_written",
-                 storages[i]);
+        snprintf(
+            how, sizeof how,
+            "loop=padded capacity=5 storage=%s space=view source=lwjgl text=as_written",
+            storages[i]);
         check_shortened(how, true);
         snprintf(how, sizeof how,
                  "loop=padded capacity=5 storage=%s source=lwjgl text=corrected",
