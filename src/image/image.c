@@ -18,6 +18,19 @@ void sb_image_free(struct sb_image *image)
     *image = (struct sb_image){0};
 }
 
+void sb_image64_init(struct sb_image64 *image, int width, int height, int channels)
+{
+    *image = (struct sb_image64){width, height, channels, NULL};
+    image->data =
+        sb_alloc((size_t)width * (size_t)height * (size_t)channels * sizeof *image->data);
+}
+
+void sb_image64_free(struct sb_image64 *image)
+{
+    free(image->data);
+    *image = (struct sb_image64){0};
+}
+
 long sb_image_count_nonfinite(const struct sb_image *image)
 {
     const long values = (long)image->width * image->height * image->channels;

@@ -7,7 +7,7 @@
 #include "base/error.h"
 
 struct sb_image {
-    int width, height, channels; // 1 to 4
+    int width, height, channels; // 1 to 4 in files, 16 in what a probe returns
     float *data;                 // width * height * channels; owned
 };
 
@@ -15,6 +15,18 @@ struct sb_image {
 void sb_image_init(struct sb_image *image, int width, int height, int channels);
 void sb_image_free(struct sb_image *image); // zeroes it
 static inline float *sb_image_at(const struct sb_image *image, int x, int y)
+{
+    return image->data + ((long)y * image->width + x) * image->channels;
+}
+
+// The same in double: what a reference computes.
+struct sb_image64 {
+    int width, height, channels;
+    double *data; // owned
+};
+void sb_image64_init(struct sb_image64 *image, int width, int height, int channels);
+void sb_image64_free(struct sb_image64 *image); // zeroes it
+static inline double *sb_image64_at(const struct sb_image64 *image, int x, int y)
 {
     return image->data + ((long)y * image->width + x) * image->channels;
 }

@@ -32,7 +32,9 @@ struct sb_caps {
 
 struct sb_program { // final GLSL, by role
     const char
-        *role; // "shade": the lit draws; "shadow": the shadow maps; "lamp": unlit draws
+        *role; // "shade": the lit draws; "shadow": the shadow maps; "lamp": unlit draws;
+    // "probe": as shade, and it tells what it computed on the way; compiled when
+    // a picture of it is first asked for, and never timed
     const char *vertex, *geometry, *fragment; // geometry NULL: none
 };
 
@@ -97,7 +99,34 @@ struct sb_image_request {
         SB_IMAGE_ID,     // 1 channel: 0 background, else draw number + 1
         SB_IMAGE_SHADOW, // 1 channel: the map of one caster, its faces unfolded to a cross of
                          // 4 x 3 faces, as stored
+        SB_IMAGE_GEOMETRY, // 4 channels: draw number + 1 (0: background), triangle of its mesh
+        // + 1, the driver's own perspective-correct weights of the triangle's
+        // second and third vertex
+        SB_IMAGE_PROBE_COLOUR, // 4 channels, in the widest format: what the program "probe"
+                               // draws, which must be what "shade" draws, bit for bit
+        // 16 channels. Lit per fragment: for each pixel the colour (4), then the 12 values of
+        // `page`. Lit per vertex: one row of all vertices of all lit draws, in the order of draws
+        // and of their meshes' vertices: the diffuse light that the vertex hands on (3), 0, then
+        // the page.
+        SB_IMAGE_PROBE,
     } kind;
+    enum sb_probe_page {
+        // [0] position (3), [3] normal (3) as interpolated, [6] uv, [8] non-finite values among
+        // the raw terms, [9] negative ones that must not be, [10] the branches' hash (docs/glsl.md),
+        // [11] the first non-finite one: 16 * light + place in the page "light" + 1; 0: none
+        SB_PROBE_INPUTS,
+        // [0] tangent (3), [3] bitangent (3), [6] unit view vector (3), [9] normal as lit (3); per
+        // vertex [0] holds the specular light that the vertex hands on, [3] nothing
+        SB_PROBE_FRAME,
+        // of the light `light` of the whole list: [0] distance [1] attenuation [2] cone
+        // [3] share that no shadow takes [4] n_dot_l [5] specular factor [6] unit vector to the
+        // light (3) [9] factor on its diffuse colour [10] factor on its specular colour
+        // [11] 1 where the shader came to this light
+        SB_PROBE_LIGHT,
+    } page;
+    int light;      // SB_PROBE_LIGHT
+    bool one_pixel; // SB_IMAGE_PROBE per fragment: only pixel (x, y), an image of 1 x 1
+    int x, y;
     int caster;        // SB_IMAGE_SHADOW: number of the point light
     int width, height; // 0: the job's own
     bool wide;         // draw to the widest float format there is, not the job's own, so

@@ -16,8 +16,12 @@ static struct mesh_builder start(struct sb_arena *arena, int vertices, int trian
 
 static struct sb_mesh finish(const struct mesh_builder *builder)
 {
-    return (struct sb_mesh){builder->vertex, builder->index, builder->vertex_count,
-                            builder->index_count};
+    return (struct sb_mesh){
+        .vertex = builder->vertex,
+        .index = builder->index,
+        .vertex_count = builder->vertex_count,
+        .index_count = builder->index_count,
+    };
 }
 
 static void add_vertex(struct mesh_builder *builder, struct sb_vec3 position,

@@ -94,6 +94,19 @@ static void copy_draws(struct sb_scene *scene, const struct sb_scene_parts *part
     scene->draw_count = draws;
 }
 
+// `shininess`: of all of them; 0: each has its own.
+static void copy_materials(struct sb_scene *scene, const struct sb_scene_parts *parts,
+                           double shininess)
+{
+    const size_t size = (size_t)parts->material_count * sizeof *parts->material;
+    struct sb_material *material =
+        memcpy(sb_arena_alloc(&scene->arena, size), parts->material, size);
+    for (int i = 0; shininess > 0 && i < parts->material_count; i++)
+        material[i].shininess = (float)shininess;
+    scene->material = material;
+    scene->material_count = parts->material_count;
+}
+
 void sb_scene_fill(struct sb_scene *scene, const struct sb_scene_parts *parts,
                    const struct sb_variant *variant)
 {
@@ -104,10 +117,7 @@ void sb_scene_fill(struct sb_scene *scene, const struct sb_scene_parts *parts,
     sb_background_tint(&ambient, &clear, variant);
     store(scene->ambient, (double[]){ambient.x, ambient.y, ambient.z}, 3);
     store(scene->clear_colour, (double[]){clear.x, clear.y, clear.z, 1}, 4);
-    scene->material_count = parts->material_count;
-    const size_t materials = (size_t)parts->material_count * sizeof *parts->material;
-    scene->material =
-        memcpy(sb_arena_alloc(arena, materials), parts->material, materials);
+    copy_materials(scene, parts, variant->value[SB_AXIS_SHININESS]);
     scene->camera = sb_camera_make(&place, &parts->camera);
     sb_texture_make(arena, scene->map);
     sb_lights_make(scene, &place, parts->light, variant);

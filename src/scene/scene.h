@@ -25,6 +25,7 @@ struct sb_mesh { // indexed triangles, counter-clockwise seen from outside
     const struct sb_vertex *vertex;
     const uint32_t *index;
     int vertex_count, index_count;
+    bool sphere; // it stands for the unit sphere, which is the truth of it
 };
 
 struct sb_material {

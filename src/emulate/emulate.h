@@ -1,0 +1,35 @@
+// Reduced precision where a driver ignores it: the GLSL ES of a program becomes SPIR-V, the
+// result of every RelaxedPrecision operation is rounded there, and comes back as GLSL. So shaders
+// stay clean, and it works for anyone's. For accuracy only: how long the result takes says nothing.
+#pragma once
+
+#include "base/error.h"
+#include "base/mem.h"
+
+// What the numbers of a qualifier are rounded to.
+struct sb_emulate_rules {
+    enum sb_emulate_lowp {
+        SB_LOWP_AS_MEDIUMP, // lowp is binary16 too, as in all hardware known
+        SB_LOWP_FIXED10     // 10-bit fixed point: steps of 1/256 in [-2, 2), saturating
+    } lowp;
+    bool saturate;     // overflow gives the largest finite number, not infinity
+    bool flush;        // subnormal results become 0
+    bool towards_zero; // rounding; else to nearest even
+};
+
+struct sb_emulate_params {
+    const char *vertex, *fragment; // GLSL ES 3.00 or 3.10, whole shaders
+    struct sb_emulate_rules rules;
+    bool gles;   // what comes out: GLSL ES, else desktop GLSL …
+    int version; // … of this #version: 300, 310, 330, 450
+};
+
+struct sb_emulated {
+    const char *vertex, *fragment; // in the arena that was given
+    int rounded;                   // operations whose results are rounded, both stages
+};
+
+// Names of attributes, uniforms, blocks and outputs stay as they are. SB_COMPILE_FAILED with the
+// compiler's words where the source is not valid or cannot be translated.
+bool sb_emulate(const struct sb_emulate_params *params, struct sb_arena *arena,
+                struct sb_emulated *emulated, struct sb_error *err);
