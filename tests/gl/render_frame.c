@@ -38,7 +38,8 @@ static void world_make(struct world *world)
     *world = (struct world){0};
     for (int i = 0; i < 4; i++)
         memcpy(world->vertex[i].position, corner[i], sizeof corner[i]);
-    world->mesh = (struct sb_mesh){world->vertex, index, 4, 6};
+    world->mesh = (struct sb_mesh){
+        .vertex = world->vertex, .index = index, .vertex_count = 4, .index_count = 6};
     for (int i = 0; i < MATERIALS; i++)
         memcpy(world->material[i].diffuse, colours[i], sizeof colours[i]);
     for (int i = 0; i < DRAWS; i++) {

@@ -42,7 +42,8 @@ static void world_make(struct world *world)
         for (int c = 0; c < 3; c++)
             world->light[i].diffuse[c] = (float)(3 * i + c + 1);
     }
-    world->mesh = (struct sb_mesh){world->vertex, index, 4, 6};
+    world->mesh = (struct sb_mesh){
+        .vertex = world->vertex, .index = index, .vertex_count = 4, .index_count = 6};
     memcpy(world->scene.clear_colour, background, sizeof background);
     world->scene.name = "bars";
     world->scene.mesh = &world->mesh;

@@ -43,7 +43,8 @@ static inline void world_make(struct world *world)
     world->draw.lamp = -1;
     memcpy(world->scene.camera.view, identity, sizeof identity);
     memcpy(world->scene.camera.view_projection, identity, sizeof identity);
-    world->mesh = (struct sb_mesh){world->vertex, index, 3, 3};
+    world->mesh = (struct sb_mesh){
+        .vertex = world->vertex, .index = index, .vertex_count = 3, .index_count = 3};
     world->scene.name = "triangle";
     world->scene.mesh = &world->mesh;
     world->scene.material = &world->material;

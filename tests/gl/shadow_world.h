@@ -120,7 +120,10 @@ static inline void world_make(struct world *world)
     box_make(&room, world->vertex[0]);
     box_make(&block, world->vertex[1]);
     for (int i = 0; i < 2; i++)
-        world->mesh[i] = (struct sb_mesh){world->vertex[i], index, 8, 36};
+        world->mesh[i] = (struct sb_mesh){.vertex = world->vertex[i],
+                                          .index = index,
+                                          .vertex_count = 8,
+                                          .index_count = 36};
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 4; j++)
             world->draw[i].model[5 * j] = 1;

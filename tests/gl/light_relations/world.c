@@ -107,7 +107,12 @@ static void mesh_make(struct world *world, const struct setting *setting)
             memcpy(next, quad, sizeof quad);
             next += 6;
         }
-    world->mesh = (struct sb_mesh){world->vertex, world->index, VERTICES, INDICES};
+    world->mesh = (struct sb_mesh){
+        .vertex = world->vertex,
+        .index = world->index,
+        .vertex_count = VERTICES,
+        .index_count = INDICES,
+    };
 }
 
 static void camera_make(struct sb_camera *camera, const struct setting *setting)
