@@ -1,6 +1,6 @@
-// LDR-FLIP against a second evaluation, straight from the paper's definitions: two-dimensional
-// kernels, the sRGB transfer functions written out, the matrices derived from chromaticities; and
-// against closed forms where nothing but colour differs.
+// LDR-FLIP against a second evaluation, straight from the paper's definitions:
+// two-dimensional kernels, the sRGB transfer functions written out, the matrices derived
+// from chromaticities; and against closed forms where nothing but colour differs.
 #include "test.h"
 
 #include "image/metrics.h"
@@ -55,7 +55,8 @@ static void solve(double m[3][3], const double right[3], double x[3])
     }
 }
 
-// BT.709's primaries and D65: XYZ of each primary, scaled so that (1,1,1) is the white point.
+// BT.709's primaries and D65: XYZ of each primary, scaled so that (1,1,1) is the white
+// point.
 static void make_matrix(double matrix[3][3], double white_point[3])
 {
     static const double xy[3][2] = {{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}};
@@ -328,16 +329,17 @@ static void flat_pictures_have_the_error_of_their_colours_alone(void **state)
         for (int j = 0; j < 8; j++) {
             fill(colour[i], colour[j]);
             const struct sb_flip flip = sb_flip_measure(&test, &truth, 30, NULL);
-            // Equal pictures compare to exactly 0; the filters' rounding is seen through a
-            // root elsewhere.
+            // Equal pictures compare to exactly 0; the filters' rounding is seen through
+            // a root elsewhere.
             const double expected = colour_error(colour[i], colour[j]);
             check_close(flip.mean, expected, i == j ? 0 : 1e-6);
             check_close(flip.max, expected, i == j ? 0 : 1e-6);
         }
 }
 
-// L* differs by 100 and chroma not at all: 100^0.7 = 25.119. Green and blue are 203.302 apart, and
-// 203.302^0.7 = 41.276: 0.95 + 0.05 (25.119 - 0.4 41.276) / (0.6 41.276) = 0.96738.
+// L* differs by 100 and chroma not at all: 100^0.7 = 25.119. Green and blue are 203.302
+// apart, and 203.302^0.7 = 41.276: 0.95 + 0.05 (25.119 - 0.4 41.276) / (0.6 41.276) =
+// 0.96738.
 static void black_and_white_are_0_967_apart_and_green_and_blue_1(void **state)
 {
     (void)state;
@@ -374,8 +376,9 @@ static struct sb_flip sphere_off_by(double offset, bool checkered)
     return sb_flip_measure(&test, &truth, SB_FLIP_PPD, NULL);
 }
 
-// The published figures are of another sphere, 0.022, 0.036, 0.058 in the mean and 0.069, 0.113,
-// 0.181 at most: the mean depends on how much of the picture is object, so its bands are wide.
+// The published figures are of another sphere, 0.022, 0.036, 0.058 in the mean and 0.069,
+// 0.113, 0.181 at most: the mean depends on how much of the picture is object, so its
+// bands are wide.
 static void an_object_that_is_1_2_or_4_steps_too_light_is_seen_so(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-// Heat maps: colours against lightness and against the scale that is drawn beside them, numbers
-// against dots written out here.
+// Heat maps: colours against lightness and against the scale that is drawn beside them,
+// numbers against dots written out here.
 #include "test.h"
 
 #include "image/colour.h"
@@ -157,7 +157,8 @@ static void the_size_is_the_picture_and_its_scale_in_whole_dots(void **state)
     }
 }
 
-// What the bar beside the picture shows at a decade is what the picture shows of that error.
+// What the bar beside the picture shows at a decade is what the picture shows of that
+// error.
 static void the_bar_has_the_colours_of_the_picture(void **state)
 {
     (void)state;
@@ -255,7 +256,9 @@ static void numbers_never_run_into_each_other_or_out_of_the_scale(void **state)
             for (int y = 0; y < heat.height; y++) {
                 run = is_lit(10 + 17, y) ? run + 1 : 0;
                 numbers += run == 1;
-                assert_true(run <= 7); // the digits are 7 dots high
+                assert_true(run <= 7);       // the digits are 7 dots high
+                for (int u = 0; u < 10; u++) // what runs out comes in again on the left
+                    assert_true(picture_at(u, y)[1] < 0.01f);
             }
             assert_true(numbers >= 2);
             sb_image_free(&heat);

@@ -1,5 +1,5 @@
-// The statistics of an error against values written out, against sorting, and where values are
-// missing or not finite.
+// The statistics of an error against values written out, against sorting, and where
+// values are missing or not finite.
 #include "test.h"
 
 #include "image/colour.h"
@@ -71,6 +71,7 @@ static void equal_pictures_have_no_error_and_an_infinite_ratio(void **state)
     for (size_t i = 0; i < sizeof zero / sizeof *zero; i++)
         assert_true(zero[i] == 0);
     assert_true(metrics.psnr_db == INFINITY);
+    assert_int_equal(metrics.max_x + metrics.max_y + metrics.max_channel, 0);
 }
 
 static void a_single_wrong_channel_gives_the_figures_of_the_formulas(void **state)
@@ -105,7 +106,8 @@ static int ascending(const void *a, const void *b)
     return (p > q) - (p < q);
 }
 
-// The nearest rank in whole numbers: the first that `per_mille` of the values do not exceed.
+// The nearest rank in whole numbers: the first that `per_mille` of the values do not
+// exceed.
 static double nearest_rank(const double *sorted, long count, long per_mille)
 {
     long rank = 1;
@@ -229,8 +231,8 @@ static void no_pixel_has_no_figures(void **state)
     assert_int_equal(metrics.nonfinite, 3);
 }
 
-// From the middle of one 8-bit step to that of another, in linear light and behind the transfer
-// function: 1/255 is 12 or 13 steps near black, and less than one near white.
+// From the middle of one 8-bit step to that of another, in linear light and behind the
+// transfer function: 1/255 is 12 or 13 steps near black, and less than one near white.
 static void steps_are_counted_behind_the_transfer_function_too(void **state)
 {
     (void)state;

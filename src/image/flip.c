@@ -1,7 +1,8 @@
-// LDR-FLIP. "The paper" is P. Andersson, J. Nilsson, T. Akenine-Möller, M. Oskarsson, K. Åström,
-// M. D. Fairchild, "FLIP: A Difference Evaluator for Alternating Images", Proc. ACM Comput. Graph.
-// Interact. Tech. 3(2), HPG 2020. Where it leaves something open (the border, the D65 white point,
-// the radii of the filters), we do as its authors' implementation, version 1.6.
+// LDR-FLIP. "The paper" is P. Andersson, J. Nilsson, T. Akenine-Möller, M. Oskarsson, K.
+// Åström, M. D. Fairchild, "FLIP: A Difference Evaluator for Alternating Images", Proc.
+// ACM Comput. Graph. Interact. Tech. 3(2), HPG 2020. Where it leaves something open (the
+// border, the D65 white point, the radii of the filters), we do as its authors'
+// implementation, version 1.6.
 
 #include <assert.h>
 #include <math.h>
@@ -13,8 +14,8 @@
 
 static const double pi = 3.14159265358979323846;
 
-// Linear RGB of BT.709's primaries to XYZ, with D65 at x = 0.31271, y = 0.32902: the fractions that
-// the authors use.
+// Linear RGB of BT.709's primaries to XYZ, with D65 at x = 0.31271, y = 0.32902: the
+// fractions that the authors use.
 static const double xyz_of_rgb[3][3] = {
     {10135552 / 24577794., 8788810 / 24577794., 4435075 / 24577794.},
     {2613072 / 12288897., 8788810 / 12288897., 887015 / 12288897.},
@@ -67,9 +68,9 @@ static struct kernel kernel_new(struct sb_arena *arena, int radius)
     };
 }
 
-// The paper, "Spatial filtering": a contrast sensitivity function, back in space, is a sum of
-// Gaussians a sqrt(pi / b) exp(-pi^2 x^2 / b), x in degrees. Returns the sum of exp() over the
-// window; the kernel sums to 1.
+// The paper, "Spatial filtering": a contrast sensitivity function, back in space, is a
+// sum of Gaussians a sqrt(pi / b) exp(-pi^2 x^2 / b), x in degrees. Returns the sum of
+// exp() over the window; the kernel sums to 1.
 static double make_gaussian(struct kernel *kernel, double b, double pixels_per_degree)
 {
     double sum = 0;
@@ -94,8 +95,8 @@ static void make_sensitivity(struct kernels *kernels, double pixels_per_degree)
     make_gaussian(&kernels->achromatic, b_achromatic, pixels_per_degree);
     kernels->red_green = kernel_new(&kernels->arena, radius);
     make_gaussian(&kernels->red_green, b_red_green, pixels_per_degree);
-    // In two dimensions each Gaussian is a product, the sum of the two is not: they are filtered
-    // with apart, and weighted by their parts of the sum over the square window.
+    // In two dimensions each Gaussian is a product, the sum of the two is not: they are
+    // filtered with apart, and weighted by their parts of the sum over the square window.
     double part[2];
     for (int i = 0; i < 2; i++) {
         struct kernel *const kernel = &kernels->blue_yellow[i];
@@ -119,8 +120,8 @@ static void balance(struct kernel *kernel)
         kernel->weight[i] /= kernel->weight[i] > 0 ? above : below;
 }
 
-// The paper, "Feature detection": derivatives of a Gaussian; from the peak to the trough of the
-// first there are w = 0.082 degrees, so that the standard deviation is w / 2.
+// The paper, "Feature detection": derivatives of a Gaussian; from the peak to the trough
+// of the first there are w = 0.082 degrees, so that the standard deviation is w / 2.
 static void make_features(struct kernels *kernels, double pixels_per_degree)
 {
     const double deviation = 0.5 * 0.082 * pixels_per_degree;
@@ -150,7 +151,8 @@ static void add_scaled(double *restrict sum, const double *restrict from, double
         sum[i] += weight * from[i];
 }
 
-// Adds `share` of `in`, filtered across and up, to `out`. Beyond the border stands what is on it.
+// Adds `share` of `in`, filtered across and up, to `out`. Beyond the border stands what
+// is on it.
 static void filter(const struct sb_image64 *in, const struct kernel *across,
                    const struct kernel *up, double share, struct scratch *scratch,
                    struct sb_image64 *out)
@@ -270,7 +272,8 @@ static void look_at(struct seen *seen, const struct kernels *kernels,
         lab_of_opponent(filtered, seen, i);
 }
 
-// HyAB (the paper, "Color metric"): city block between lightness and chroma, Euclidean in chroma.
+// HyAB (the paper, "Color metric"): city block between lightness and chroma, Euclidean in
+// chroma.
 static double hyab(const double a[static 3], const double b[static 3])
 {
     return fabs(a[0] - b[0]) + hypot(a[1] - b[1], a[2] - b[2]);
@@ -278,7 +281,8 @@ static double hyab(const double a[static 3], const double b[static 3])
 
 static const double colour_exponent = 0.7, feature_exponent = 0.5; // q_c and q_f
 
-// The largest HyAB that two colours of a display have, between green and blue, to the power q_c.
+// The largest HyAB that two colours of a display have, between green and blue, to the
+// power q_c.
 static double largest_colour_error(void)
 {
     double green[3], blue[3];
@@ -287,7 +291,8 @@ static double largest_colour_error(void)
     return pow(hyab(green, blue), colour_exponent);
 }
 
-// "Color metric": the lower part p_c of the range is spread over p_t of [0,1], the rest compressed.
+// "Color metric": the lower part p_c of the range is spread over p_t of [0,1], the rest
+// compressed.
 static double redistribute(double distance, double largest)
 {
     static const double pc = 0.4, pt = 0.95;

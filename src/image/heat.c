@@ -8,7 +8,8 @@
 #include "image/colour.h"
 #include "image/digits.h"
 
-// Sides of the picture, in pixels of a dot, that leave room for the scale on a sheet's 256.
+// Sides of the picture, in pixels of a dot, that leave room for the scale on a sheet's
+// 256.
 enum { SHEET_SIDE = 256, PICTURE_SIDE = SHEET_SIDE - SB_HEAT_SCALE_WIDTH };
 
 // Where things stand in the scale, in dots from its left or bottom.
@@ -24,8 +25,8 @@ enum {
 _Static_assert(TEXT_LEFT + TEXT_LENGTH * SB_DIGIT_ADVANCE - 1 == SB_HEAT_SCALE_WIDTH,
                "the numbers end where the scale does");
 
-// Every 16th colour and the last of viridis (N. Smith and S. van der Walt, 2015, CC0), as sRGB:
-// lightness rises evenly from one to the next, for all kinds of colour vision.
+// Every 16th colour and the last of viridis (N. Smith and S. van der Walt, 2015, CC0), as
+// sRGB: lightness rises evenly from one to the next, for all kinds of colour vision.
 static const double viridis[][3] = {
     {0.267004, 0.004874, 0.329415}, {0.282327, 0.094955, 0.417331},
     {0.278826, 0.175490, 0.483397}, {0.258965, 0.251537, 0.524736},

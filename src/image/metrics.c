@@ -71,8 +71,9 @@ static void add_pixel(const float *test, const double *truth, int x, int y,
     sums->jnd2_srgb += steps_srgb >= 2;
 }
 
-// Puts the value of the given rank (0: the least) where sorting would put it, with none larger
-// before it and none smaller behind it (Hoare's FIND, CACM 4(7), 1961, algorithm 65).
+// Puts the value of the given rank (0: the least) where sorting would put it, with none
+// larger before it and none smaller behind it (Hoare's FIND, CACM 4(7), 1961, algorithm
+// 65).
 static double select_rank(double *value, int64_t count, int64_t rank)
 {
     int64_t first = 0, last = count - 1;

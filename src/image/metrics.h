@@ -22,20 +22,22 @@ struct sb_metrics {
     double p50, p99, p999; // nearest rank, of the pixels' largest channel error
     double rmse, psnr_db;  // peak 1; identical: INFINITY
     double bias;           // mean of test - truth
-    // Shares of pixels whose nearest 8-bit step is at least one or two off in a channel, in linear
-    // light and after the sRGB transfer function.
+    // Shares of pixels whose nearest 8-bit step is at least one or two off in a channel,
+    // in linear light and after the sRGB transfer function.
     double jnd1, jnd2, jnd1_srgb, jnd2_srgb;
     double relative; // largest of |t - r| / max(|r|, 1e-3)
 };
-// All NAN, and 0 pixels, where no pixel counts. A value of the test is counted as non-finite or as
-// negative, never as both; a pixel that is not finite in both is in none of the other figures.
+// All NAN, and 0 pixels, where no pixel counts. A value of the test is counted as
+// non-finite or as negative, never as both; a pixel that is not finite in both is in none
+// of the other figures.
 void sb_metrics_measure(const struct sb_metrics_params *params,
                         struct sb_metrics *metrics);
 
-// LDR-FLIP (Andersson et al. 2020, "FLIP: a difference evaluator for alternating images") of two
-// linear pictures, encoded as sRGB and clamped as a display would. Background included: it is a
-// measure of what is seen; a NaN is seen as 0. At least 1 pixel a degree. `error`: NULL or an image to initialise with the per-pixel error
-// (1 channel), which the caller frees.
+// LDR-FLIP (Andersson et al. 2020, "FLIP: a difference evaluator for alternating images")
+// of two linear pictures, encoded as sRGB and clamped as a display would. Background
+// included: it is a measure of what is seen; a NaN is seen as 0. At least 1 pixel a
+// degree. `error`: NULL or an image to initialise with the per-pixel error (1 channel),
+// which the caller frees.
 struct sb_flip {
     double mean, max; // 0 to 1
 };
