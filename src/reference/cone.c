@@ -1,0 +1,98 @@
+// The cone of a spot light. For narrow cones 1 - cos is what counts, and what a cosine in
+// double has lost: at 0.02 degrees nine of its sixteen digits. So cosines are kept as 1 - cos,
+// made from Lagrange's identity: sin^2 a = |d x axis|^2 / (|d|^2 |axis|^2), and
+// 1 - cos a = sin^2 a / (1 + cos a).
+#include "reference/parts.h"
+
+// The angle between the axis and the way from the light to the surface.
+struct angle {
+    double cos, one_minus_cos; // of the angle itself
+    // What the shader has for them: with hoist=once the axis is as uploaded, rounded to floats,
+    // and the product as much longer or shorter as it is.
+    double product, one_minus_product;
+};
+
+static struct angle angle_of(const struct sb_ref_choice *choice,
+                             const struct sb_light *light,
+                             const struct sb_ref_incident *incident)
+{
+    const struct sb_vec3 axis = sb_ref_vec(light->direction);
+    const double axis2 = sb_vec3_dot(axis, axis), d = incident->distance;
+    if (!(d > 0 && axis2 > 0)) // a zero vector: its products are 0
+        return (struct angle){0, 1, 0, 1};
+    const struct sb_vec3 across = sb_vec3_cross(incident->to_light, axis);
+    const double length = sqrt(axis2);
+    const double sin2 = sb_vec3_dot(across, across) / (d * d * axis2);
+    const double c = -sb_vec3_dot(incident->to_light, axis) / (d * length);
+    const double rest = c > 0 ? sin2 / (1 + c) : 1 - c;
+    // |axis| - 1. The squares of floats are exact in double.
+    const double excess = choice->makes_cone ? 0 : (axis2 - 1) / (length + 1);
+    return (struct angle){c, rest, c + excess * c, rest - excess * c};
+}
+
+static double one_minus_cut_off(const struct sb_ref_choice *choice,
+                                const struct sb_light *light)
+{
+    if (!choice->makes_cone)
+        return 1 - (double)light->cos_cutoff;
+    const double half = sin(0.5 * (double)light->cutoff);
+    return 2 * half * half;
+}
+
+// cos^exponent with the cosine clamped to [1e-4, 1]. OpenGL 2.1, 2.14.1.
+static double exponent(const struct sb_light *light, const struct angle *angle)
+{
+    if (angle->one_minus_product <= 0)
+        return 1;
+    const double log_cos = angle->product > 0.5 ? log1p(-angle->one_minus_product)
+                                                : log(fmax(angle->product, 1e-4));
+    return exp(light->exponent * log_cos);
+}
+
+static double linear(const struct sb_ref_choice *choice, const struct sb_light *light,
+                     const struct angle *angle)
+{
+    const double share = choice->makes_cone
+                             ? angle->one_minus_cos / one_minus_cut_off(choice, light)
+                             : angle->one_minus_cos * light->inv_one_minus_cos;
+    return fmax(1 - share, 0);
+}
+
+// A ramp of the cosine with a bounded divisor (Filament, LightManager::setSpotParams). With
+// cos a = 1 - x the sum of scale and offset is made first, in which they cancel exactly or to
+// the last bit.
+static double smooth(const struct sb_ref_choice *choice, const struct sb_light *light,
+                     const struct angle *angle)
+{
+    const double rest = angle->one_minus_product;
+    double ramp;
+    if (choice->makes_cone) {
+        // cos inner - cos outer = 2 sin((outer + inner) / 2) sin((outer - inner) / 2)
+        const double outer = light->cutoff, inner = light->inner;
+        const double wide = 2 * sin(0.5 * (outer + inner)) * sin(0.5 * (outer - inner));
+        ramp = (one_minus_cut_off(choice, light) - rest) / fmax(wide, 1.0 / 1024);
+    } else {
+        const double scale = light->cone_scale, offset = light->cone_offset;
+        ramp = (scale + offset) - rest * scale;
+    }
+    return fmin(fmax(ramp, 0), 1);
+}
+
+void sb_ref_cone(const struct sb_ref_choice *choice, const struct sb_light *light,
+                 struct sb_ref_incident *incident)
+{
+    const struct angle angle = angle_of(choice, light, incident);
+    switch (choice->cone) {
+    case SB_CONE_LINEAR:
+        incident->cone = linear(choice, light, &angle);
+        return;
+    case SB_CONE_SMOOTH:
+        incident->cone = smooth(choice, light, &angle);
+        return;
+    default:
+        incident->in_cone = angle.one_minus_product <= one_minus_cut_off(choice, light);
+        incident->cone = !incident->in_cone             ? 0
+                         : choice->cone == SB_CONE_HARD ? 1
+                                                        : exponent(light, &angle);
+    }
+}
