@@ -4,7 +4,7 @@
 packages_build="gcc libc6-dev cmake ninja-build pkg-config libyaml-dev libjansson-dev
     libpng-dev python3-glad libegl-dev libosmesa6-dev libglfw3-dev"
 packages_run="libegl1 libgl1-mesa-dri libosmesa6 libglfw3 mesa-vulkan-drivers glslang-tools"
-packages_test="libcmocka-dev clang-format clang-tidy xvfb xauth"
+packages_test="libcmocka-dev libmpfr-dev clang-format clang-tidy xvfb xauth"
 
 # install_missing PACKAGE...: installs what is not there, and says what; without root or sudo,
 # or where this is no Debian, says exactly what to type.

@@ -12,6 +12,24 @@ struct angle {
     double product, one_minus_product;
 };
 
+// |axis|^2 - 1, which a ramp multiplies by up to 1024. The squares of floats are exact in double,
+// and so are sums with what they round (Knuth's TwoSum).
+static double plus(double a, double b, double *rounded)
+{
+    const double sum = a + b, of_b = sum - a;
+    *rounded += (a - (sum - of_b)) + (b - of_b);
+    return sum;
+}
+
+static double square_less_one(struct sb_vec3 axis)
+{
+    double rounded = 0;
+    double sum = plus(axis.x * axis.x, -1, &rounded);
+    sum = plus(sum, axis.y * axis.y, &rounded);
+    sum = plus(sum, axis.z * axis.z, &rounded);
+    return sum + rounded;
+}
+
 static struct angle angle_of(const struct sb_ref_choice *choice,
                              const struct sb_light *light,
                              const struct sb_ref_incident *incident)
@@ -25,8 +43,8 @@ static struct angle angle_of(const struct sb_ref_choice *choice,
     const double sin2 = sb_vec3_dot(across, across) / (d * d * axis2);
     const double c = -sb_vec3_dot(incident->to_light, axis) / (d * length);
     const double rest = c > 0 ? sin2 / (1 + c) : 1 - c;
-    // |axis| - 1. The squares of floats are exact in double.
-    const double excess = choice->makes_cone ? 0 : (axis2 - 1) / (length + 1);
+    // |axis| - 1
+    const double excess = choice->makes_cone ? 0 : square_less_one(axis) / (length + 1);
     return (struct angle){c, rest, c + excess * c, rest - excess * c};
 }
 
