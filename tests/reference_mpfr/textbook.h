@@ -4,7 +4,7 @@
 
 #include "wide.h"
 
-#include "../reference_world.h"
+#include "../lit_world.h"
 
 // One light's terms; `margin`: how far the nearest decision is from going the other way. Lengths
 // and cosines that are equal in 200 bits are so by construction, and are no doubt.
