@@ -1,6 +1,7 @@
 #include "base/parallel.h"
 
 #include <pthread.h>
+#include <unistd.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 
@@ -38,4 +39,10 @@ void sb_parallel_for(int threads, int count, void (*work)(void *context, int ite
     for (int i = 0; i < started; i++)
         pthread_join(helper[i], NULL);
     free(helper);
+}
+
+int sb_processors(void)
+{
+    const long online = sysconf(_SC_NPROCESSORS_ONLN);
+    return online > 0 ? (int)online : 1;
 }

@@ -7,3 +7,6 @@
 // that are there do its share.
 void sb_parallel_for(int threads, int count, void (*work)(void *context, int item),
                      void *context);
+
+// Processors that this process may run on.
+int sb_processors(void);
