@@ -1,16 +1,13 @@
 // model=phong: cosine between the reflected ray and the view vector (Phong 1975).
-//
-// The upper clamp keeps a product of rounded unit vectors from exceeding 1, which the power
-// would multiply: 7.4 for 1 in half precision at a shininess of 1024. The lower one keeps
-// pow() in its domain: a base below 0 is undefined. The shininess is never 0: so is pow(0, 0).
+#include "highlight/$(NORMALISE).glsl"
 
 // What is read of a light.
 #define SPECULAR_OF(light) light.specular
 
 P_SPECULAR float specular_factor_robust(Surface surface, P_VECTOR vec3 to_light)
 {
-    P_SPECULAR float c = dot(reflect(-to_light, surface.normal), view_of(surface));
-    return pow(clamp(c, 0.0, 1.0), surface.shininess);
+    P_VECTOR vec3 reflected = reflect(-to_light, surface.normal);
+    return cosine_power(reflected, view_of(surface), surface.shininess);
 }
 
 P_SPECULAR float specular_factor_naive(Surface surface, P_VECTOR vec3 to_light)
