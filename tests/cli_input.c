@@ -45,8 +45,8 @@ static void wrong_values_say_what_is_valid(void **state)
 static void what_is_not_implemented_is_refused_by_name(void **state)
 {
     (void)state;
-    check_answer("run --context null --set emulate=fp16", 2,
-                 "emulate=fp16: not implemented yet; implemented: none");
+    check_answer("run --context null --set specialise=uber", 2,
+                 "specialise=uber: not implemented yet; implemented: scene");
     check_answer("run --context null --set specialise=uber", 2,
                  "not implemented yet; implemented: scene");
 }
