@@ -98,6 +98,31 @@ bool sb_cli_load_suite(const struct sb_options *options, const char *path,
     return good;
 }
 
+bool sb_cli_add_variant(const char *word, struct sb_options *options,
+                        struct sb_arena *arena, struct sb_error *err)
+{
+    char *const all = sb_arena_strdup(arena, word), *rest = all;
+    if (strcmp(word, "default") == 0)
+        return true;
+    for (char *part = rest; part; part = rest) {
+        rest = strchr(part, ',');
+        if (rest)
+            *rest++ = '\0';
+        char *equals = strchr(part, '=');
+        if (!equals && part == all && !options->preset) {
+            options->preset = part;
+            continue;
+        }
+        if (!equals || options->set.count == SB_ASSIGNMENTS_MAX)
+            return sb_fail(err, SB_USAGE, "variant \"%s\": AXIS=VALUE,… is wanted", word);
+        const char *origin = sb_arena_printf(arena, "variant \"%s\"", part);
+        *equals = '\0';
+        options->set.item[options->set.count++] =
+            (struct sb_assignment){.axis = part, .values = equals + 1, .origin = origin};
+    }
+    return true;
+}
+
 static bool parse_device(const char *text, int *device, struct sb_error *err)
 {
     double number = -1;

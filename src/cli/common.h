@@ -10,6 +10,7 @@
 int sb_cmd_probe(const struct sb_options *options, int argc, char **argv);
 int sb_cmd_list(const struct sb_options *options, int argc, char **argv);
 int sb_cmd_show(const struct sb_options *options, int argc, char **argv);
+int sb_cmd_explain(const struct sb_options *options, int argc, char **argv);
 int sb_cmd_verify(const struct sb_options *options, int argc, char **argv);
 int sb_cmd_run(const struct sb_options *options, int argc, char **argv);
 
@@ -31,6 +32,11 @@ const char *sb_cli_suite_path(const char *word, const char *data_dir,
 bool sb_cli_load_suite(const struct sb_options *options, const char *path,
                        const char *data_dir, struct sb_suite *suite,
                        struct sb_error *err);
+
+// "point=4,stage=vertex" as assignments over those of --set; "delphi,stage=vertex" names a
+// preset first, as ids do, and "default" says nothing. SB_USAGE.
+bool sb_cli_add_variant(const char *word, struct sb_options *options,
+                        struct sb_arena *arena, struct sb_error *err);
 
 // From options and the suite's platform axes; sets the driver's environment.
 bool sb_cli_driver_params(const struct sb_options *options, const struct sb_suite *suite,

@@ -20,6 +20,8 @@ const struct sb_command sb_commands[] = {
      "SUITE is the name of a shipped suite (shadebench list suites) or a YAML file. Without\nSUITE, --set and --sweep say what to run. Exit codes: 0 done, 2 input, 3 a row is not\nvalid, 77 no GL here, 130 interrupted.", 8, sb_cmd_run},
     {"verify", "--classes [SUITE]", "do variants that differ only in how they do it draw the same picture?",
      "Draws every variant of SUITE (classes, where none is given) and compares it with the first\nof its equivalence class: same scene, equal on all but implementation axes. Exit code 3: two\npictures differ that must not, or a variant cannot be drawn.", 16, sb_cmd_verify},
+    {"explain", "VARIANT --pixel X,Y", "everything that was computed on the way to one pixel",
+     "Prints at full precision what the driver interpolated there, the material and the lights as\nuploaded, and each term of each light: in double from the same inputs, as the driver had\nit, and how many units in the last place they are apart. VARIANT is an id, as tables and\nsummary.csv print it.", 64, sb_cmd_explain},
 };
 // clang-format on
 const int sb_command_count = sizeof sb_commands / sizeof *sb_commands;

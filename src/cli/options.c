@@ -6,8 +6,8 @@
 #include "base/words.h"
 #include "cli/common.h"
 
-enum { PROBE = 1, LIST = 2, SHOW = 4, RUN = 8, VERIFY = 16, ALL = 31 };
-enum { PLAN = RUN | SHOW | VERIFY }; // commands that take a suite
+enum { PROBE = 1, LIST = 2, SHOW = 4, RUN = 8, VERIFY = 16, EXPLAIN = 64, ALL = 127 };
+enum { PLAN = RUN | SHOW | VERIFY | EXPLAIN }; // commands that take variants
 
 enum option_type { FLAG, TEXT, ASSIGNMENT };
 
@@ -36,7 +36,8 @@ static const struct option options_table[] = {
     {"classes",  0,   NULL,         VERIFY,           FLAG,       AT(classes),  "compare the pictures of each equivalence class"},
     {"validate", 0,   NULL,         SHOW,             FLAG,       AT(validate), "check the sources with glslangValidator"},
     {"timer",    0,   "NAME",       RUN|PROBE,        TEXT,       AT(timer),    "timer source to use, if its audit allows; default: auto"},
-    {"device",   0,   "N",          RUN|PROBE|VERIFY, TEXT,       AT(device),   "EGL device number, where there are several"},
+    {"pixel",    0,   "X,Y",        EXPLAIN,          TEXT,       AT(pixel),    "the pixel to explain, counted from the lower left"},
+    {"device",   0,   "N",          RUN|PROBE|VERIFY|EXPLAIN, TEXT,       AT(device),   "EGL device number, where there are several"},
     {"shaders",  0,   "DIR",        PLAN,             TEXT,       AT(shaders),  "another shader folder"},
     {"data",     0,   "DIR",        ALL,              TEXT,       AT(data),     "folder that holds shaders/ and bench/"},
     {"json",     0,   NULL,         ALL,              FLAG,       AT(json),     "results on stdout as JSON"},

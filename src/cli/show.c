@@ -9,33 +9,6 @@
 #include "cli/common.h"
 #include "cli/table.h"
 
-// "point=4,stage=vertex" as assignments over those of --set; "delphi,stage=vertex" names a
-// preset first, as ids do.
-static bool add_variant(const char *word, struct sb_options *options,
-                        struct sb_arena *arena, struct sb_error *err)
-{
-    char *const all = sb_arena_strdup(arena, word), *rest = all;
-    if (strcmp(word, "default") == 0)
-        return true;
-    for (char *part = rest; part; part = rest) {
-        rest = strchr(part, ',');
-        if (rest)
-            *rest++ = '\0';
-        char *equals = strchr(part, '=');
-        if (!equals && part == all && !options->preset) {
-            options->preset = part;
-            continue;
-        }
-        if (!equals || options->set.count == SB_ASSIGNMENTS_MAX)
-            return sb_fail(err, SB_USAGE, "variant \"%s\": AXIS=VALUE,… is wanted", word);
-        const char *origin = sb_arena_printf(arena, "variant \"%s\"", part);
-        *equals = '\0';
-        options->set.item[options->set.count++] =
-            (struct sb_assignment){.axis = part, .values = equals + 1, .origin = origin};
-    }
-    return true;
-}
-
 static bool assemble(const struct sb_options *options, const char *data,
                      const struct sb_suite *suite, const struct sb_plan_entry *entry,
                      struct sb_assembly *assembly, struct sb_error *err)
@@ -167,7 +140,7 @@ int sb_cmd_show(const struct sb_options *given, int argc, char **argv)
                        "show takes one variant or suite; \"%s\" is one too many",
                        given->word[1]);
     if (good && is_variant)
-        good = add_variant(word, &options, &arena, &err);
+        good = sb_cli_add_variant(word, &options, &arena, &err);
     else if (good)
         good = (path = sb_cli_suite_path(word, data, &arena, &err)) != NULL;
     good = good && sb_cli_load_suite(&options, path, data, &suite, &err);

@@ -84,7 +84,7 @@ static double warm_round(struct sb_task *tasks, int count, const struct sb_drive
     for (int i = 0; i < count; i++) {
         struct sb_error err = {0};
         const struct sb_shot shot = whole_frames(&tasks[i], tasks[i].batch);
-        if (!sb_task_sound(&tasks[i]))
+        if (!sb_task_timed(&tasks[i]))
             continue;
         if (shoot(driver, &shot, &ns, &err))
             total += ns;
@@ -113,7 +113,7 @@ void sb_warm_up(struct sb_task *tasks, int count, const struct sb_driver *driver
             break;
     }
     for (int i = 0; i < count; i++)
-        if (sb_task_sound(&tasks[i]))
+        if (sb_task_timed(&tasks[i]))
             sb_task_note(&tasks[i], "no_steady_state before the first round");
 }
 

@@ -70,19 +70,24 @@ bool sb_driver_connect(const struct sb_driver_params *params, struct sb_driver *
     return driver->runner != NULL;
 }
 
+bool sb_driver_probe(struct sb_driver *driver, struct sb_error *err)
+{
+    if (!driver->fns->probe(driver->runner, &driver->probe, err))
+        return false;
+    for (int i = 0; i < driver->probe.count; i++)
+        sb_precision_judge(&driver->probe.reading[i], &driver->verdict[i]);
+    return true;
+}
+
 bool sb_driver_examine(const struct sb_driver_params *params, struct sb_driver *driver,
                        struct sb_error *err)
 {
     if (!sb_driver_connect(params, driver, err))
         return false;
-    if (!audit(driver, params->timer, err) ||
-        !driver->fns->probe(driver->runner, &driver->probe, err)) {
-        sb_driver_close(driver);
-        return false;
-    }
-    for (int i = 0; i < driver->probe.count; i++)
-        sb_precision_judge(&driver->probe.reading[i], &driver->verdict[i]);
-    return true;
+    if (audit(driver, params->timer, err) && sb_driver_probe(driver, err))
+        return true;
+    sb_driver_close(driver);
+    return false;
 }
 
 bool sb_driver_open(const struct sb_driver_params *params, struct sb_driver *driver,

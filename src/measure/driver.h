@@ -34,6 +34,9 @@ void sb_driver_close(struct sb_driver *driver);
 bool sb_driver_connect(const struct sb_driver_params *params, struct sb_driver *driver,
                        struct sb_error *err);
 
+// Finds out what a connected driver does with precision qualifiers; sb_driver_open has.
+bool sb_driver_probe(struct sb_driver *driver, struct sb_error *err);
+
 // As sb_driver_open, but it is no failure that no timer is credible (driver->timer is -1):
 // for `probe`, whose business it is to say so.
 bool sb_driver_examine(const struct sb_driver_params *params, struct sb_driver *driver,

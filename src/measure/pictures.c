@@ -3,14 +3,16 @@
 #include <stdlib.h>
 
 #include "base/file.h"
+#include "image/heat.h"
 #include "image/sheet.h"
+#include "measure/accuracy.h"
 
 struct writer {
     const struct sb_pictures_params *params;
     const char *folder;
-    int side;               // of a picture on the sheet
-    struct sb_image *small; // those on the sheet
-    int count;              // of them
+    int side;                      // of a picture on the sheet
+    struct sb_image *small, *heat; // those on the sheets
+    int count, heat_count;         // of them
     struct sb_text legend;
     struct sb_arena arena;
 };
@@ -62,25 +64,52 @@ static bool write_shadow(struct writer *writer, const struct sb_task *task, int 
     return good;
 }
 
-static bool write_sheet(struct writer *writer, struct sb_error *err)
+// Where the picture's error is. A task whose error is not known leaves its place black.
+static bool write_heat(struct writer *writer, const struct sb_task *task,
+                       struct sb_error *err)
 {
-    if (writer->count == 0)
+    struct sb_image heat = {0};
+    struct sb_image *small = &writer->heat[writer->heat_count++];
+    struct sb_error ignored = {0};
+    if (!task->accuracy.known ||
+        !sb_accuracy_heat(task, writer->params->driver, writer->params->truths, &heat,
+                          &ignored)) {
+        sb_image_init(small, 1, 1, 3);
         return true;
+    }
+    const bool good = sb_image_write_png(&heat, path_of(writer, task, "-error"), err);
+    sb_image_shrink(&heat, writer->side + SB_HEAT_SCALE_WIDTH, small);
+    sb_image_free(&heat);
+    return good;
+}
+
+static bool write_sheet(struct writer *writer, const struct sb_image *picture, int count,
+                        const char *name, struct sb_error *err)
+{
     struct sb_image sheet = {0};
-    const char *legend = sb_path_join(&writer->arena, writer->folder, "sheet.txt");
-    sb_sheet_make(writer->small, writer->count, &sheet);
-    const bool good =
-        sb_image_write_png(
-            &sheet, sb_path_join(&writer->arena, writer->folder, "sheet.png"), err) &&
-        sb_file_replace(legend, writer->legend.data, writer->legend.length, err);
+    if (count == 0)
+        return true;
+    sb_sheet_make(picture, count, &sheet);
+    const bool good = sb_image_write_png(
+        &sheet, sb_path_join(&writer->arena, writer->folder, name), err);
     sb_image_free(&sheet);
     return good;
+}
+
+static bool write_sheets(struct writer *writer, struct sb_error *err)
+{
+    const char *legend = sb_path_join(&writer->arena, writer->folder, "sheet.txt");
+    return write_sheet(writer, writer->small, writer->count, "sheet.png", err) &&
+           write_sheet(writer, writer->heat, writer->heat_count, "sheet-error.png",
+                       err) &&
+           sb_file_replace(legend, writer->legend.data, writer->legend.length, err);
 }
 
 bool sb_pictures_write(const struct sb_pictures_params *params, struct sb_error *err)
 {
     struct writer writer = {.params = params, .side = sb_sheet_side(params->task_count)};
     writer.small = sb_alloc((size_t)params->task_count * sizeof *writer.small);
+    writer.heat = sb_alloc((size_t)params->task_count * sizeof *writer.heat);
     writer.folder = sb_path_join(&writer.arena, params->dir, "images");
     sb_text_add(&writer.legend, "row\tcolumn\tscene\tvariant\n");
     bool good = sb_dir_make(writer.folder, err);
@@ -88,14 +117,17 @@ bool sb_pictures_write(const struct sb_pictures_params *params, struct sb_error 
         const struct sb_task *task = &params->task[i];
         if (!task->loaded)
             continue;
-        good = write_colour(&writer, task, err);
+        good = write_colour(&writer, task, err) && write_heat(&writer, task, err);
         for (int caster = 0; good && caster < task->prepared.casters; caster++)
             good = write_shadow(&writer, task, caster, err);
     }
-    good = good && write_sheet(&writer, err);
+    good = good && write_sheets(&writer, err);
     for (int i = 0; i < writer.count; i++)
         sb_image_free(&writer.small[i]);
+    for (int i = 0; i < writer.heat_count; i++)
+        sb_image_free(&writer.heat[i]);
     free(writer.small);
+    free(writer.heat);
     sb_text_free(&writer.legend);
     sb_arena_free(&writer.arena);
     return good;

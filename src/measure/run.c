@@ -5,6 +5,7 @@
 #include "base/clock.h"
 #include "base/file.h"
 #include "base/log.h"
+#include "measure/accuracy.h"
 #include "measure/calibrate.h"
 #include "measure/check.h"
 #include "measure/dump.h"
@@ -30,6 +31,7 @@ struct sb_run_state {
     struct sb_row *row;
     struct sb_variant *recalled; // axes of the rows of a complete folder
     struct sb_arena row_arena;   // texts of the rows of one summary
+    struct sb_truths *truths;    // pictures of the reference
 };
 
 static void summarise(struct sb_run_state *run)
@@ -151,6 +153,16 @@ static void check_all(struct sb_run_state *run)
     }
 }
 
+static void measure_errors(struct sb_run_state *run)
+{
+    for (int i = 0; i < run->task_count && !sb_interrupted(); i++) {
+        struct sb_task *task = &run->task[i];
+        show_stage("measuring the error of variant", i, run->task_count);
+        if (sb_task_sound(task))
+            sb_accuracy_measure(task, &run->driver, run->truths);
+    }
+}
+
 // Pictures are an extra: one that cannot be had or written is told, and the run goes on.
 static void write_images(struct sb_run_state *run)
 {
@@ -159,6 +171,7 @@ static void write_images(struct sb_run_state *run)
         .task = run->task,
         .task_count = run->task_count,
         .driver = &run->driver,
+        .truths = run->truths,
         .dir = run->params->dir,
     };
     if (!sb_pictures_write(&params, &err))
@@ -196,7 +209,7 @@ static void activate(struct sb_run_state *run)
     for (int i = 0; i < run->task_count; i++) {
         struct sb_task *task = &run->task[i];
         const bool done = i > 0 && was_precise(run, task);
-        task->active = sb_task_sound(task) && !done;
+        task->active = sb_task_timed(task) && !done;
         if (done)
             task->stop = "half_width";
     }
@@ -210,7 +223,7 @@ static void calibrate_all(struct sb_run_state *run)
         struct sb_error failure = {0};
         show_stage("calibrating variant", i, run->task_count);
         // Samples of an earlier process fix the batch: lengths do not change within a row.
-        if (sb_task_sound(task) && task->sample_count == 0 &&
+        if (sb_task_timed(task) && task->sample_count == 0 &&
             !sb_calibrate_batch(task, &run->driver, settings, &failure))
             sb_task_fail(task, &failure);
     }
@@ -221,7 +234,7 @@ static void check_fragment_bound(struct sb_run_state *run)
     for (int i = 0; i < run->task_count && !sb_interrupted(); i++) {
         struct sb_task *task = &run->task[i];
         struct sb_error failure = {0};
-        if (sb_task_sound(task) && !sb_check_fragment_bound(task, &run->driver, &failure))
+        if (sb_task_timed(task) && !sb_check_fragment_bound(task, &run->driver, &failure))
             sb_task_fail(task, &failure);
     }
 }
@@ -231,7 +244,7 @@ static void split_shadows(struct sb_run_state *run)
     for (int i = 0; i < run->task_count && !sb_interrupted(); i++) {
         struct sb_task *task = &run->task[i];
         struct sb_error failure = {0};
-        if (sb_task_sound(task) && !sb_split_shadows(task, &run->driver, &failure))
+        if (sb_task_timed(task) && !sb_split_shadows(task, &run->driver, &failure))
             sb_task_fail(task, &failure);
     }
 }
@@ -289,6 +302,7 @@ static bool measure(struct sb_run_state *run, struct sb_error *err)
         !sb_earlier_check_sources(&run->earlier, run->task, run->task_count, err))
         return false;
     check_all(run);
+    measure_errors(run);
     if (run->params->images)
         write_images(run);
     if (run->params->dump && !write_dumps(run, err))
@@ -334,6 +348,7 @@ static void draw_untimed(struct sb_run_state *run, const struct sb_driver_params
         return;
     prepare_all(run);
     check_all(run);
+    measure_errors(run);
     if (params->images)
         write_images(run);
     if (params->dump && !write_dumps(run, &err))
@@ -416,6 +431,7 @@ bool sb_run(const struct sb_run_params *params, struct sb_run_result *result,
     run->row = sb_alloc((size_t)run->task_count * sizeof *run->row);
     for (int i = 0; i < run->task_count; i++)
         run->task[i].entry = &params->suite->entry[i];
+    run->truths = sb_truths_new(&params->suite->axes);
     sb_timestamp(run->started);
 
     if (params->append &&
@@ -442,6 +458,7 @@ void sb_run_result_free(struct sb_run_result *result)
     sb_driver_close(&run->driver);
     sb_store_close(&run->store);
     sb_earlier_free(&run->earlier);
+    sb_truths_free(&run->truths);
     sb_arena_free(&run->row_arena);
     free(run->recalled);
     free(run->task);

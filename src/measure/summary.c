@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "assemble/platform.h"
+#include "measure/accuracy.h"
 #include "measure/rounds.h"
 #include "measure/summary.h"
 #include "stats/between.h"
@@ -248,7 +249,7 @@ static void fill_status(const struct sb_task *task, struct sb_row *row)
     for (int i = 0; i < task->sample_count; i++)
         valid += !isnan(sb_sample_frame_ms(&task->sample[i]));
     if (!failed && task->sample_count == 0)
-        status = SB_NOT_MEASURED;
+        status = task->untimed ? SB_ACCURACY_ONLY : SB_NOT_MEASURED;
     else if (!failed && valid < share_of_valid_samples * task->sample_count)
         status = SB_SAMPLES_INVALID;
     else if (!failed && isnan(row->ci_lo_ms))
@@ -334,6 +335,7 @@ void sb_summarise(const struct sb_summary_params *params, struct sb_row *row,
         row[i].timer_error = fmax(timer->error, params->timer_error);
         row[i].precision_effective = effective_precision(driver, row[i].axes);
         fill_work(task, &row[i], arena);
+        sb_accuracy_fill(task, &row[i]);
         if (task->sample_count)
             fill_times(params, task, &row[i]);
         fill_status(task, &row[i]);

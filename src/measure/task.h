@@ -3,16 +3,28 @@
 #pragma once
 
 #include "assemble/assemble.h"
+#include "image/metrics.h"
 #include "measure/driver.h"
+#include "measure/split.h"
 #include "results/row.h"
 #include "suite/suite.h"
+
+struct sb_accuracy { // of a picture against the reference
+    bool known;
+    struct sb_metrics total;
+    struct sb_flip flip;
+    struct sb_split split; // `counted` is NULL
+    const char
+        *term; // the first that went wrong at the largest arithmetic error; NULL: none
+};
 
 struct sb_task {
     const struct sb_plan_entry *entry;
     // prepare
     struct sb_assembly assembly;
     struct sb_prepared prepared;
-    bool loaded; // the runner holds the job
+    bool loaded;  // the runner holds the job
+    bool untimed; // a value of an axis is for accuracy only
     // any stage
     enum sb_status status;
     struct sb_text note; // clauses joined by "; "
@@ -20,6 +32,7 @@ struct sb_task {
     int64_t nonfinite, negative; // SB_NO_COUNT until checked
     double
         class_spread; // largest difference to the class; NAN: alone in it, or unchecked
+    struct sb_accuracy accuracy;
     // calibrate
     int batch;           // frames a batch
     double growth;       // time over that of a quarter of the pixels; 0: not known
@@ -45,6 +58,9 @@ char *sb_task_file_name(const struct sb_task *task, struct sb_arena *arena);
 
 // Is there anything left to measure? False once a check failed.
 bool sb_task_sound(const struct sb_task *task);
+
+// Sound, and to be timed: emulated precision is for accuracy only, and never is.
+bool sb_task_timed(const struct sb_task *task);
 
 // The light `index` of the task's whole list, as "point light 3".
 void sb_task_light_name(const struct sb_task *task, int index, struct sb_text *text);

@@ -82,6 +82,12 @@ const struct sb_light_struct sb_light_structs[SB_LIGHT_STRUCT_COUNT] = {
 };
 // clang-format on
 
+int sb_light_struct_of(const struct sb_variant *variant, enum sb_light_type type)
+{
+    const bool unified = variant->value[SB_AXIS_LAYOUT] == SB_LAYOUT_UNIFIED;
+    return unified ? SB_LIGHT_UNIFIED : (int)type;
+}
+
 static size_t round_up(size_t size, size_t unit)
 {
     return (size + unit - 1) / unit * unit;

@@ -90,6 +90,9 @@ struct sb_light_struct {                // one GLSL struct
 enum { SB_LIGHT_UNIFIED = SB_LIGHT_TYPE_COUNT, SB_LIGHT_STRUCT_COUNT };
 extern const struct sb_light_struct sb_light_structs[SB_LIGHT_STRUCT_COUNT];
 
+// The row of `sb_light_structs` that a light of this type is uploaded as.
+int sb_light_struct_of(const struct sb_variant *variant, enum sb_light_type type);
+
 // The members that the shaders of a variant can read: of the struct's fields those whose
 // condition holds, in order. What is declared, uploaded, counted and laid out is these.
 enum { SB_LIGHT_FIELD_MAX = 18 };

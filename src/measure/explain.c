@@ -1,0 +1,325 @@
+#include "measure/explain.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "assemble/platform.h"
+#include "reference/share.h"
+
+#define FLOOR_distance        0
+#define FLOOR_direction       1
+#define FLOOR_attenuation     0x1p-10
+#define FLOOR_cone            1
+#define FLOOR_shown           1
+#define FLOOR_n_dot_l         1
+#define FLOOR_specular        0x1p-4
+#define FLOOR_diffuse_weight  0x1p-4
+#define FLOOR_specular_weight 0x1p-4
+
+const struct sb_term_row sb_term_rows[SB_TERM_COUNT] = {
+#define TERM(name, components, place, help)                                              \
+    {#name, help, components, place, offsetof(struct sb_ref_terms, name), FLOOR_##name},
+    SB_REF_TERMS(TERM)
+#undef TERM
+};
+
+double sb_ulps(double value, double reference, double floor, int bits)
+{
+    const int least = bits > 11 ? -126 : -14; // smallest normal exponent
+    int exponent;
+    if (!isfinite(value) || !isfinite(reference))
+        return isnan(value) && isnan(reference) ? 0 : value == reference ? 0 : INFINITY;
+    frexp(fmax(fabs(reference), floor), &exponent);
+    const int last = (exponent - 1 > least ? exponent - 1 : least) - (bits - 1);
+    return ldexp(fabs(value - reference), -last);
+}
+
+// --- what the driver had -----------------------------------------------------------------
+
+struct source {
+    const struct sb_explain_params *params;
+    bool per_vertex;
+    int width, height;
+};
+
+static bool draw(const struct source *source, const struct sb_image_request *wanted,
+                 struct sb_image *image, struct sb_error *err)
+{
+    const struct sb_driver *driver = source->params->driver;
+    struct sb_image_request request = *wanted;
+    request.job = source->params->task->assembly.job.id;
+    request.width = source->width;
+    request.height = source->height;
+    return driver->fns->image(driver->runner, &request, image, err);
+}
+
+static bool draw_page(const struct source *source, enum sb_probe_page page, int light,
+                      struct sb_image *image, struct sb_error *err)
+{
+    const struct sb_image_request request = {
+        .kind = SB_IMAGE_PROBE,
+        .page = page,
+        .light = light,
+        .one_pixel = !source->per_vertex,
+        .x = source->params->x,
+        .y = source->params->y,
+    };
+    return draw(source, &request, image, err);
+}
+
+// One pixel of a whole picture.
+static bool draw_pixel(const struct source *source, enum sb_image_kind kind, bool wide,
+                       float *pixel, struct sb_error *err)
+{
+    const struct sb_image_request request = {.kind = kind, .wide = wide};
+    struct sb_image image = {0};
+    if (!draw(source, &request, &image, err))
+        return false;
+    memcpy(pixel, sb_image_at(&image, source->params->x, source->params->y),
+           (size_t)image.channels * sizeof *pixel);
+    sb_image_free(&image);
+    return true;
+}
+
+// Where in a picture of probes a point stands.
+static const float *place_of(const struct sb_image *image,
+                             const struct sb_explanation *explanation,
+                             const struct sb_explained_point *point)
+{
+    const struct sb_ref_ground *ground = explanation->truth.ground;
+    return point->vertex < 0
+               ? image->data
+               : sb_image_at(image,
+                             ground->first_vertex[explanation->draw] + point->vertex, 0);
+}
+
+enum { PAGE = 4 }; // channels before those of the page
+
+static bool read_inputs(const struct source *source, struct sb_explanation *explanation,
+                        struct sb_error *err)
+{
+    struct sb_image inputs = {0}, frame = {0};
+    const bool good = draw_page(source, SB_PROBE_INPUTS, 0, &inputs, err) &&
+                      draw_page(source, SB_PROBE_FRAME, 0, &frame, err);
+    for (int i = 0; good && i < explanation->point_count; i++) {
+        struct sb_explained_point *point = &explanation->point[i];
+        const float *of_inputs = place_of(&inputs, explanation, point);
+        const float *of_frame = place_of(&frame, explanation, point);
+        memcpy(point->inputs, of_inputs + PAGE, sizeof point->inputs);
+        memcpy(point->frame, of_frame + PAGE, sizeof point->frame);
+        memcpy(point->diffuse, of_inputs, sizeof point->diffuse);
+        memcpy(point->specular, of_frame + PAGE, sizeof point->specular);
+    }
+    sb_image_free(&inputs);
+    sb_image_free(&frame);
+    return good;
+}
+
+// --- side by side ------------------------------------------------------------------------
+
+static void judge(const struct sb_explanation *explanation,
+                  struct sb_explained_light *light)
+{
+    light->wrong = -1;
+    for (int t = 0; t < SB_TERM_COUNT; t++) {
+        const struct sb_term_row *row = &sb_term_rows[t];
+        const double *reference =
+            (const double *)((const char *)light->reference + row->offset);
+        light->ulps[t] = 0;
+        for (int c = 0; c < row->components; c++)
+            light->ulps[t] =
+                fmax(light->ulps[t], sb_ulps(light->driver[row->place + c], reference[c],
+                                             row->floor, explanation->bits));
+        if (light->wrong < 0 && !(light->ulps[t] <= SB_ULPS_WRONG))
+            light->wrong = t;
+    }
+}
+
+static bool read_lights(const struct source *source, struct sb_explanation *explanation,
+                        struct sb_error *err)
+{
+    for (int i = 0; i < explanation->light_count; i++) {
+        struct sb_image image = {0};
+        if (!draw_page(source, SB_PROBE_LIGHT, i, &image, err))
+            return false;
+        for (int p = 0; p < explanation->point_count; p++) {
+            struct sb_explained_light *light = &explanation->point[p].light[i];
+            const float *values = place_of(&image, explanation, &explanation->point[p]);
+            memcpy(light->driver, values + PAGE, sizeof light->driver);
+            light->reference = &explanation->point[p].reference.terms[i];
+            judge(explanation, light);
+            if (light->wrong >= 0 && explanation->wrong_term < 0) {
+                explanation->wrong_point = p;
+                explanation->wrong_light = i;
+                explanation->wrong_term = light->wrong;
+            }
+        }
+        sb_image_free(&image);
+    }
+    return true;
+}
+
+static void list_lights(const struct sb_explain_params *params,
+                        struct sb_explanation *explanation,
+                        struct sb_explained_point *point)
+{
+    const struct sb_scene *scene = explanation->truth.scene;
+    const size_t total = (size_t)sb_lights_total(&scene->lights) + 1;
+    int at = 0;
+    point->light = sb_arena_alloc(&explanation->arena, total * sizeof *point->light);
+    point->reference.terms =
+        sb_arena_alloc(&explanation->arena, total * sizeof *point->reference.terms);
+    for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++)
+        for (int i = 0; i < scene->lights.count[type]; i++, at++)
+            point->light[at] = (struct sb_explained_light){
+                .type = (enum sb_light_type)type,
+                .number = i,
+                .light =
+                    sb_light_as_lit(&scene->lights.light[at], (enum sb_light_type)type,
+                                    &params->task->assembly.job.variant, &scene->camera),
+                .wrong = -1,
+            };
+}
+
+static void evaluate(const struct sb_explain_params *params,
+                     struct sb_explanation *explanation, struct sb_explained_point *point)
+{
+    const struct sb_variant *variant = &params->task->assembly.job.variant;
+    const struct sb_ref_ground *ground = explanation->truth.ground;
+    if (point->vertex < 0)
+        sb_ref_given_at(ground, variant, explanation->draw, point->inputs,
+                        sb_ref_needs_frame(variant) ? point->frame : NULL,
+                        &point->reference);
+    else
+        sb_ref_vertex_at(ground, variant, explanation->draw, point->vertex,
+                         &point->reference);
+}
+
+// --- the pixel ---------------------------------------------------------------------------
+
+static bool find_triangle(const struct source *source, struct sb_explanation *explanation,
+                          struct sb_error *err)
+{
+    float seen[4];
+    if (!draw_pixel(source, SB_IMAGE_GEOMETRY, false, seen, err))
+        return false;
+    explanation->draw = (int)seen[0] - 1;
+    explanation->triangle = (int)seen[1] - 1;
+    explanation->driver_weight[0] = 1 - seen[2] - seen[3];
+    explanation->driver_weight[1] = seen[2];
+    explanation->driver_weight[2] = seen[3];
+    return true;
+}
+
+static void locate(const struct source *source, struct sb_explanation *explanation)
+{
+    const struct sb_ref_geometry *geometry = explanation->truth.ground->geometry;
+    const struct sb_ref_cover at = {explanation->draw, explanation->triangle};
+    int corner[3];
+    sb_ref_geometry_weights(geometry, at, explanation->x, explanation->y,
+                            explanation->weight);
+    explanation->exact = sb_ref_geometry_input(geometry, at, explanation->weight);
+    sb_ref_geometry_corners(geometry, at, corner);
+    explanation->point_count = source->per_vertex ? 3 : 1;
+    for (int i = 0; i < explanation->point_count; i++)
+        explanation->point[i].vertex = source->per_vertex ? corner[i] : -1;
+}
+
+static void take_colours(struct sb_explanation *explanation)
+{
+    const struct sb_truth *truth = &explanation->truth;
+    const int x = explanation->x, y = explanation->y;
+    memcpy(explanation->ideal, sb_image64_at(&truth->ideal->colour, x, y),
+           sizeof explanation->ideal);
+    memcpy(explanation->model, sb_image64_at(&truth->model->colour, x, y),
+           sizeof explanation->model);
+    if (explanation->point_count == 1) {
+        const struct sb_vec3 given = explanation->point[0].reference.colour;
+        memcpy(explanation->given, (double[3]){given.x, given.y, given.z},
+               sizeof explanation->given);
+    } else {
+        memcpy(explanation->given, explanation->model, sizeof explanation->given);
+    }
+}
+
+static int effective_bits(const struct sb_explain_params *params)
+{
+    const struct sb_asked_precision asked =
+        sb_platform_precision(&params->task->assembly.job.variant);
+    const struct sb_precision_verdict *verdict =
+        sb_driver_precision(params->driver, asked.vertex_stage, asked.lowest);
+    return verdict && verdict->effective == SB_EFFECTIVE_FP16 ? 11 : 24;
+}
+
+// The displayed colour, and with it the size of the picture.
+static bool read_own(struct source *source, struct sb_explanation *explanation,
+                     struct sb_error *err)
+{
+    const struct sb_explain_params *params = source->params;
+    const struct sb_image_request request = {.kind = SB_IMAGE_COLOUR};
+    struct sb_image image = {0};
+    if (!draw(source, &request, &image, err))
+        return false;
+    const int width = image.width, height = image.height;
+    const bool inside =
+        params->x >= 0 && params->y >= 0 && params->x < width && params->y < height;
+    source->width = explanation->width = width;
+    source->height = explanation->height = height;
+    if (inside)
+        memcpy(explanation->own, sb_image_at(&image, params->x, params->y),
+               sizeof explanation->own);
+    sb_image_free(&image);
+    return inside ||
+           sb_fail(err, SB_BAD_INPUT,
+                   "pixel %d,%d: the picture has %d x %d pixels, counted from 0,0 "
+                   "at the lower left",
+                   params->x, params->y, width, height);
+}
+
+bool sb_explain(const struct sb_explain_params *params,
+                struct sb_explanation *explanation, struct sb_error *err)
+{
+    struct source source = {
+        .params = params,
+        .per_vertex = params->task->assembly.lit_per_vertex,
+        .width = params->width,
+        .height = params->height,
+    };
+    *explanation = (struct sb_explanation){
+        .x = params->x,
+        .y = params->y,
+        .bits = effective_bits(params),
+        .wrong_point = -1,
+        .wrong_light = -1,
+        .wrong_term = -1,
+    };
+    if (!read_own(&source, explanation, err) ||
+        !sb_truths_get(params->truths, params->task, source.width, source.height,
+                       &explanation->truth, err) ||
+        !find_triangle(&source, explanation, err) ||
+        !draw_pixel(&source, SB_IMAGE_COLOUR, true, explanation->wide, err))
+        return false;
+    const struct sb_scene *scene = explanation->truth.scene;
+    take_colours(explanation);
+    if (explanation->draw < 0 || scene->draw[explanation->draw].lamp >= 0)
+        return true;
+    explanation->material = &scene->material[scene->draw[explanation->draw].material];
+    explanation->light_count = sb_lights_total(&scene->lights);
+    if (params->light_max > 0 && explanation->light_count > params->light_max)
+        explanation->light_count = params->light_max;
+    locate(&source, explanation);
+    if (!read_inputs(&source, explanation, err))
+        return false;
+    for (int i = 0; i < explanation->point_count; i++) {
+        list_lights(params, explanation, &explanation->point[i]);
+        evaluate(params, explanation, &explanation->point[i]);
+    }
+    take_colours(explanation);
+    return read_lights(&source, explanation, err);
+}
+
+void sb_explanation_free(struct sb_explanation *explanation)
+{
+    sb_arena_free(&explanation->arena);
+    *explanation = (struct sb_explanation){0};
+}
