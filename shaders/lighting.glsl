@@ -2,6 +2,7 @@
 //   shade.diffuse  = material.ambient * ambient + material.diffuse * sum(diffuse)
 //   shade.specular = material.specular * sum(specular)
 // docs/glsl.md has the whole equation.
+#include "probe/$(PROBE).glsl"
 #include "unit.glsl"
 #include "surface.glsl"
 
@@ -33,7 +34,9 @@ Shade shade_surface(P_POSITION vec3 position, P_VECTOR vec3 normal)
 {
     fill_lights();
     Surface surface = Surface(position, normal, vec3(0.0), u_material.shininess);
+    PROBE_NORMAL(surface.normal)
     IF_VIEW(surface.view = unit_difference(to_eye(position));)
+    IF_VIEW(PROBE_VIEW(surface.view))
 
     Lit lit = no_light();
     IF_AMBIENT(lit.ambient += scene_ambient();)
@@ -47,5 +50,6 @@ Shade shade_surface(P_POSITION vec3 position, P_VECTOR vec3 normal)
     IF_AMBIENT(shade.diffuse = ambient * lit.ambient;)
     IF_DIFFUSE(shade.diffuse += diffuse * lit.diffuse;)
     IF_SPECULAR(shade.specular = specular * lit.specular;)
+    PROBE_OUT
     return shade;
 }

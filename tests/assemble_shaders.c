@@ -170,10 +170,11 @@ static int news(const struct program *program, bool take)
 
 static bool is_valid(const char *words)
 {
+    const struct assembling from = {.words = words, .probe = true};
     struct sb_assembly assembly;
     struct sb_error err = {0};
-    const bool good = assemble_with(sb_axes_builtin(), words, NULL, &assembly, &err) &&
-                      sb_assembly_validate(&assembly, &err);
+    const bool good =
+        assemble_from(&from, &assembly, &err) && sb_assembly_validate(&assembly, &err);
     if (!good)
         print_error("%s: %s\n", words, err.text);
     sb_assembly_free(&assembly);

@@ -30,7 +30,7 @@ struct assembling { // zero: the default
     const char *words, *scene;
     const char *shaders;        // a folder
     const struct sb_caps *caps; // NULL: the ideal driver of the variant's API
-    bool movable_lights;
+    bool movable_lights, probe;
 };
 
 static inline bool assemble_from(const struct assembling *from,
@@ -50,6 +50,7 @@ static inline bool assemble_from(const struct assembling *from,
         .caps = from->caps ? from->caps : &ideal,
         .id = 7,
         .movable_lights = from->movable_lights,
+        .probe = from->probe,
     };
     *assembly = (struct sb_assembly){0};
     return sb_assemble(&params, assembly, err);

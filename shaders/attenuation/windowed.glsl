@@ -6,6 +6,7 @@
 P_ATTENUATION float attenuation(PointLight light, P_ATTENUATION float d)
 {
     P_ATTENUATION float range = light.range;
+    PROBE_RAW(TERM_ATTENUATION, d / range)
     P_ATTENUATION float q = min(d / range, 1.0);
     P_ATTENUATION float window = 1.0 - q * q * q * q;
     return window * window / (d * d + 1.0);

@@ -13,6 +13,7 @@ P_ATTENUATION float cone_robust(SpotLight light, P_ATTENUATION vec3 from_light)
     P_ATTENUATION float one_minus_cos =
         cos_a > 0.0 ? dot(c, c) / (1.0 + cos_a) : 1.0 - cos_a;
     P_ATTENUATION float inverse = CONE_INV_ONE_MINUS_COS(light);
+    PROBE_RAW(TERM_CONE, one_minus_cos * inverse)
     return max(1.0 - one_minus_cos * inverse, 0.0);
 }
 
@@ -20,5 +21,6 @@ P_ATTENUATION float cone_naive(SpotLight light, P_ATTENUATION vec3 from_light)
 {
     P_ATTENUATION float cos_a = dot(from_light, cone_axis(light));
     P_ATTENUATION float edge = CONE_COS_CUTOFF(light);
+    PROBE_RAW(TERM_CONE, (1.0 - cos_a) / (1.0 - edge))
     return max(1.0 - (1.0 - cos_a) / (1.0 - edge), 0.0);
 }

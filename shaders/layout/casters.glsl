@@ -5,6 +5,7 @@
 Incident shaded(Incident light, P_ATTENUATION float shown)
 {
     light.shown = shown;
+    PROBE_SHOWN(shown)
     return light;
 }
 

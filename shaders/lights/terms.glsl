@@ -4,6 +4,7 @@
 void add_diffuse(Incident light, P_VECTOR float n_dot_l, inout Lit lit)
 {
     P_COLOR float weight = light.factor * light.shown * n_dot_l;
+    PROBE_TERM(TERM_DIFFUSE_WEIGHT, weight)
     P_SUM vec3 added = light.diffuse * weight;
     IF_DIFFUSE_MAP_EACH(added *= diffuse_map(v_uv);)
     lit.diffuse += added;
@@ -11,8 +12,10 @@ void add_diffuse(Incident light, P_VECTOR float n_dot_l, inout Lit lit)
 
 void add_specular(Surface surface, Incident light, inout Lit lit)
 {
-    P_COLOR float weight =
-        light.factor * light.shown * specular_factor(surface, light.highlight);
+    P_SPECULAR float factor = specular_factor(surface, light.highlight);
+    P_COLOR float weight = light.factor * light.shown * factor;
+    PROBE_TERM(TERM_SPECULAR, factor)
+    PROBE_TERM(TERM_SPECULAR_WEIGHT, weight)
     P_SUM vec3 added = light.specular * weight;
     IF_SPECULAR_MAP_EACH(added *= specular_map(v_uv);)
     lit.specular += added;

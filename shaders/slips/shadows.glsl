@@ -5,7 +5,10 @@ void slip_add_specular(Surface surface, Incident light, inout Lit lit)
 {
     P_ATTENUATION float intensity = light.factor * light.shown;
     P_SPECULAR float c = dot(reflect(-light.highlight, surface.normal), view_of(surface));
-    P_COLOR float weight = intensity * pow(max(c * intensity, 0.0), surface.shininess);
+    P_SPECULAR float factor = pow(max(c * intensity, 0.0), surface.shininess);
+    P_COLOR float weight = intensity * factor;
+    PROBE_TERM(TERM_SPECULAR, factor)
+    PROBE_TERM(TERM_SPECULAR_WEIGHT, weight)
     P_SUM vec3 added = light.specular * weight;
     IF_SPECULAR_MAP_EACH(added *= specular_map(v_uv);)
     lit.specular += added;

@@ -10,8 +10,10 @@ P_SPECULAR float slip_specular_factor(Surface surface, P_VECTOR vec3 to_light)
 
 void slip_add_specular(Surface surface, Incident light, inout Lit lit)
 {
-    P_COLOR float weight =
-        light.factor * light.shown * slip_specular_factor(surface, light.highlight);
+    P_SPECULAR float factor = slip_specular_factor(surface, light.highlight);
+    P_COLOR float weight = light.factor * light.shown * factor;
+    PROBE_TERM(TERM_SPECULAR, factor)
+    PROBE_TERM(TERM_SPECULAR_WEIGHT, weight)
     P_SUM vec3 added = light.specular * weight;
     IF_SPECULAR_MAP_EACH(added *= specular_map(v_uv);)
     lit.specular += added;

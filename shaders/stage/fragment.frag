@@ -20,5 +20,7 @@ P_VECTOR vec3 mapped(P_VECTOR vec3 normal)
 
 Shade shade_here()
 {
+    PROBE_INPUTS(v_position, v_normal, v_uv)
+    IF_NORMAL_MAP(PROBE_FRAME(v_tangent, v_bitangent))
     return shade_surface(v_position, mapped(surface_normal(v_normal)));
 }

@@ -7,6 +7,7 @@ VARYING_OUT P_VARYING vec3 v_specular;
 
 void hand_over(highp vec3 position, highp vec3 normal)
 {
+    PROBE_INPUTS(position, normal, a_uv)
     Shade shade = shade_surface(position, normal);
     v_diffuse = shade.diffuse;
     v_specular = shade.specular;

@@ -17,4 +17,4 @@
 #define SAMPLER2D P_SAMPLER sampler2D
 #define SAMPLER(precision, type) precision type
 #define TEXTURE texture
-#define DECLARE_O_COLOR out P_OUTPUT vec4 o_color;
+#define DECLARE_O_COLOR layout(location = 0) out P_OUTPUT vec4 o_color;

@@ -28,6 +28,15 @@ static const char *const role_names[SB_ROLE_COUNT] = {
     [SB_ROLE_SHADE] = "shade",
     [SB_ROLE_SHADOW] = "shadow",
     [SB_ROLE_LAMP] = "lamp",
+    [SB_ROLE_PROBE] = "probe",
+};
+
+// What their files begin with: the probe is the program "shade" with PROBE=on.
+static const char *const file_stems[SB_ROLE_COUNT] = {
+    [SB_ROLE_SHADE] = "shade",
+    [SB_ROLE_SHADOW] = "shadow",
+    [SB_ROLE_LAMP] = "lamp",
+    [SB_ROLE_PROBE] = "shade",
 };
 
 // Also the suffixes of the files that begin them. SB_STAGE_VERT is stage 0.
@@ -51,21 +60,25 @@ static bool is_asked(const struct sb_variant *variant, enum sb_role role, int st
     }
 }
 
-static bool build_all(struct sb_glsl_params *glsl, struct sb_assembly *assembly,
-                      struct sb_error *err)
+static bool build_all(struct sb_glsl_params *glsl, struct sb_defines *defines, bool probe,
+                      struct sb_assembly *assembly, struct sb_error *err)
 {
+    const bool es100 = assembly->job.variant.value[SB_AXIS_GLSL] == SB_GLSL_100;
+    const int roles = probe && !es100 ? SB_ROLE_COUNT : SB_ROLE_PROBE;
     assembly->source_hash = SB_HASH_START;
-    for (int role = 0; role < SB_ROLE_COUNT; role++) {
+    for (int role = 0; role < roles; role++) {
+        sb_defines_probe(defines, role == SB_ROLE_PROBE);
         for (int stage = 0; stage < STAGES; stage++) {
             struct sb_glsl_source *source = &assembly->source[role][stage];
             if (!is_asked(&assembly->job.variant, (enum sb_role)role, stage))
                 continue;
-            glsl->file = sb_arena_printf(&assembly->arena, "%s.%s", role_names[role],
+            glsl->file = sb_arena_printf(&assembly->arena, "%s.%s", file_stems[role],
                                          stage_names[stage]);
             if (!sb_glsl_build(glsl, source, err))
                 return false;
-            assembly->source_hash =
-                sb_hash(assembly->source_hash, &source->hash, sizeof source->hash);
+            if (role != SB_ROLE_PROBE)
+                assembly->source_hash =
+                    sb_hash(assembly->source_hash, &source->hash, sizeof source->hash);
         }
     }
     return true;
@@ -116,7 +129,7 @@ static bool build(const struct sb_assemble_params *params,
         .given = given,
         .given_count = sizeof given / sizeof *given,
     };
-    good = build_all(&glsl, assembly, err);
+    good = build_all(&glsl, &defines, params->probe, assembly, err);
 
 done:
     sb_text_free(&lights);

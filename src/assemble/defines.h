@@ -21,3 +21,6 @@ struct sb_defines {
 bool sb_defines_make(struct sb_defines *defines, const struct sb_axes *axes,
                      const struct sb_variant *variant, const char *family,
                      struct sb_error *err);
+
+// PROBE is `off` after sb_defines_make; `on`: in the program of role "probe".
+void sb_defines_probe(struct sb_defines *defines, bool on);
