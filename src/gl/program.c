@@ -59,7 +59,13 @@ static uint64_t hash_binary(GLuint name)
     return length > 0 ? hash : 0;
 }
 
-static bool link_program(const GLuint *shader, int count, struct sb_gl_program *program)
+struct captured { // by transform feedback
+    const char *const *varying;
+    int count; // 0: nothing is
+};
+
+static bool link_program(const GLuint *shader, int count, const struct captured *captured,
+                         struct sb_gl_program *program)
 {
     static const char *const attributes[] = {"a_position", "a_normal", "a_uv",
                                              "a_tangent"};
@@ -70,6 +76,9 @@ static bool link_program(const GLuint *shader, int count, struct sb_gl_program *
         glAttachShader(name, shader[i]);
     for (GLuint i = 0; i < sizeof attributes / sizeof *attributes; i++)
         glBindAttribLocation(name, i, attributes[i]);
+    if (captured->count > 0)
+        glTransformFeedbackVaryings(name, captured->count, captured->varying,
+                                    GL_INTERLEAVED_ATTRIBS);
     if (glGetProgramBinary)
         glProgramParameteri(name, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
     glLinkProgram(name);
@@ -90,6 +99,14 @@ static bool link_program(const GLuint *shader, int count, struct sb_gl_program *
 
 bool sb_gl_program_make(const struct sb_program *source, struct sb_gl_program *program)
 {
+    return sb_gl_program_make_captured(source, NULL, 0, program);
+}
+
+bool sb_gl_program_make_captured(const struct sb_program *source,
+                                 const char *const *varying, int varying_count,
+                                 struct sb_gl_program *program)
+{
+    const struct captured captured = {varying, varying_count};
     const struct {
         GLenum kind;
         enum sb_failed_stage stage;
@@ -113,7 +130,7 @@ bool sb_gl_program_make(const struct sb_program *source, struct sb_gl_program *p
         ok = shader[count] != 0;
         count += ok;
     }
-    ok = ok && link_program(shader, count, program);
+    ok = ok && link_program(shader, count, &captured, program);
     for (int i = 0; i < count; i++)
         glDeleteShader(shader[i]);
     return ok;

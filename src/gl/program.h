@@ -20,4 +20,9 @@ struct sb_gl_program {
 // threads 0 where the driver has them). On false, failed_stage and log say what the driver
 // refused; sb_gl_program_free frees the log in either case.
 bool sb_gl_program_make(const struct sb_program *source, struct sb_gl_program *program);
+// The same of a program whose varyings are captured by transform feedback, in this order, one
+// vertex behind the other.
+bool sb_gl_program_make_captured(const struct sb_program *source,
+                                 const char *const *varying, int count,
+                                 struct sb_gl_program *program);
 void sb_gl_program_free(struct sb_gl_program *program); // zeroes it

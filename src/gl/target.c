@@ -1,4 +1,5 @@
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/mem.h"
 #include "gl/target.h"
@@ -17,6 +18,7 @@ static const struct format formats[] = {
     [SB_GL_RGBA16F] = {"rgba16f", GL_RGBA16F, 4, GL_RGBA,         GL_FLOAT},
     [SB_GL_RGBA32F] = {"rgba32f", GL_RGBA32F, 4, GL_RGBA,         GL_FLOAT},
     [SB_GL_R32UI]   = {"r32ui",   GL_R32UI,   1, GL_RGBA_INTEGER, GL_UNSIGNED_INT},
+    [SB_GL_RGBA32UI] = {"rgba32ui", GL_RGBA32UI, 4, GL_RGBA_INTEGER, GL_UNSIGNED_INT},
 };
 // clang-format on
 
@@ -116,12 +118,39 @@ error:
     return false;
 }
 
+bool sb_target_add(struct sb_target *target, int count, struct sb_error *err)
+{
+    const struct sb_target_params params = {target->width, target->height, 1,
+                                            target->format};
+    GLenum buffers[1 + SB_TARGET_MORE] = {GL_COLOR_ATTACHMENT0};
+    glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+    for (int i = 0; i < count; i++) {
+        buffers[1 + i] = GL_COLOR_ATTACHMENT1 + (GLenum)i;
+        target->more[i] =
+            attach(buffers[1 + i], formats[target->format].internal, &params, 1);
+    }
+    target->more_count = count;
+    glDrawBuffers(1 + count, buffers);
+    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    const char *error = sb_gl_error();
+    if (!error && status == GL_FRAMEBUFFER_COMPLETE)
+        return true;
+    return sb_fail(
+        err, SB_OVER_LIMIT,
+        "a %s target of %d x %d pixels with %d attachments: the driver refused "
+        "it (%s, framebuffer status 0x%04x; GL_MAX_COLOR_ATTACHMENTS is at "
+        "least 4)",
+        formats[target->format].name, target->width, target->height, 1 + count,
+        error ? error : "no error", (unsigned)status);
+}
+
 void sb_target_free(struct sb_target *target)
 {
     glDeleteFramebuffers(1, &target->framebuffer); // 0 is ignored
     glDeleteFramebuffers(1, &target->resolved);
     glDeleteRenderbuffers(1, &target->depth);
     glDeleteRenderbuffers(1, &target->colour);
+    glDeleteRenderbuffers(SB_TARGET_MORE, target->more);
     glDeleteRenderbuffers(1, &target->resolved_colour);
     *target = (struct sb_target){0};
 }
@@ -138,32 +167,55 @@ int64_t sb_target_resolve(const struct sb_target *target)
     return 3;
 }
 
+// What was read of one attachment, into its place among the channels of the image.
+static void put(const struct format *format, const void *raw, int first,
+                struct sb_image *image)
+{
+    const size_t pixels = (size_t)image->width * (size_t)image->height;
+    for (size_t i = 0; i < pixels; i++) {
+        float *to = image->data + i * (size_t)image->channels + first;
+        for (int c = 0; c < format->channels; c++) {
+            const size_t from = 4 * i + (size_t)c;
+            if (format->read_type == GL_UNSIGNED_BYTE)
+                to[c] = (float)((const unsigned char *)raw)[from] / 255.0f;
+            else if (format->internal == GL_R32UI)
+                to[c] = (float)((const GLuint *)raw)[from];
+            else
+                memcpy(&to[c], (const float *)raw + from, sizeof to[c]);
+        }
+    }
+}
+
+bool sb_target_read_part(const struct sb_target *target,
+                         const struct sb_target_part *part, struct sb_image *image,
+                         struct sb_error *err)
+{
+    const struct format *format = &formats[target->format];
+    // Every read format has 4 channels, of at most 4 bytes.
+    void *raw = sb_alloc((size_t)part->width * (size_t)part->height * 16);
+    sb_image_init(image, part->width, part->height,
+                  format->channels * (1 + target->more_count));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER,
+                      target->samples > 1 ? target->resolved : target->framebuffer);
+    for (int i = 0; i <= target->more_count; i++) {
+        glReadBuffer(GL_COLOR_ATTACHMENT0 + (GLenum)i);
+        glReadPixels(part->x, part->y, part->width, part->height, format->read_format,
+                     format->read_type, raw);
+        put(format, raw, i * format->channels, image);
+    }
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    free(raw);
+    const char *error = sb_gl_error();
+    if (!error)
+        return true;
+    sb_image_free(image);
+    return sb_fail(err, SB_GL_ERROR, "%s when reading a %s target of %d x %d pixels",
+                   error, format->name, target->width, target->height);
+}
+
 bool sb_target_read(const struct sb_target *target, struct sb_image *image,
                     struct sb_error *err)
 {
-    const struct format *format = &formats[target->format];
-    const size_t pixels = (size_t)target->width * (size_t)target->height;
-    // Every read format has 4 channels, of at most 4 bytes.
-    void *raw = sb_alloc(pixels * 16);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER,
-                      target->samples > 1 ? target->resolved : target->framebuffer);
-    glReadPixels(0, 0, target->width, target->height, format->read_format,
-                 format->read_type, raw);
-    const char *error = sb_gl_error();
-    if (error) {
-        free(raw);
-        return sb_fail(err, SB_GL_ERROR, "%s when reading a %s target of %d x %d pixels",
-                       error, format->name, target->width, target->height);
-    }
-    sb_image_init(image, target->width, target->height, format->channels);
-    for (size_t i = 0; i < pixels * (size_t)format->channels; i++) {
-        if (format->read_type == GL_FLOAT)
-            image->data[i] = ((const float *)raw)[i];
-        else if (format->read_type == GL_UNSIGNED_BYTE)
-            image->data[i] = (float)((const unsigned char *)raw)[i] / 255.0f;
-        else
-            image->data[i] = (float)((const GLuint *)raw)[4 * i];
-    }
-    free(raw);
-    return true;
+    const struct sb_target_part all = {0, 0, target->width, target->height};
+    return sb_target_read_part(target, &all, image, err);
 }

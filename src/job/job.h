@@ -42,6 +42,8 @@ struct sb_job {  // one variant ready to draw
     uint32_t id; // chosen by the caller, unique until released
     struct sb_variant variant;
     const char *scene; // generated again by the runner; hashes are compared
+    // The runner keeps the texts of the program "probe", which it compiles later: they must
+    // outlive the job. All others it has done with when prepare returns.
     const struct sb_program *program;
     int program_count;
 };
@@ -109,7 +111,8 @@ struct sb_image_request {
         // and of their meshes' vertices: the diffuse light that the vertex hands on (3), 0, then
         // the page.
         SB_IMAGE_PROBE,
-    } kind;
+    } kind; // of the last two SB_BAD_INPUT where the job has no program "probe"; they have
+            // one sample a pixel, whatever the job has
     enum sb_probe_page {
         // [0] position (3), [3] normal (3) as interpolated, [6] uv, [8] non-finite values among
         // the raw terms, [9] negative ones that must not be, [10] the branches' hash (docs/glsl.md),

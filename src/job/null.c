@@ -222,6 +222,29 @@ static void draw_cross(struct sb_image *image, float stored)
                 *sb_image_at(image, x, y) = stored * (float)(1 + x) / (4 * FACE);
 }
 
+// One draw of one triangle over everything, and a probe that has nothing to tell.
+static void draw_kind(struct sb_image *image, const struct sb_image_request *request,
+                      int side, float colour)
+{
+    static const int channels[] = {
+        [SB_IMAGE_COLOUR] = 4,   [SB_IMAGE_ID] = 1,     [SB_IMAGE_SHADOW] = 1,
+        [SB_IMAGE_GEOMETRY] = 4, [SB_IMAGE_PROBE] = 16, [SB_IMAGE_PROBE_COLOUR] = 4,
+    };
+    static const float geometry[4] = {1, 1, 0.25f, 0.5f};
+    const enum sb_image_kind kind = request->kind;
+    sb_image_init(image, side, side, channels[kind]);
+    for (long i = 0; i < (long)side * side; i++) {
+        float *at = image->data + i * image->channels;
+        if (kind == SB_IMAGE_ID)
+            *at = 1;
+        else if (kind == SB_IMAGE_GEOMETRY)
+            memcpy(at, geometry, sizeof geometry);
+        else
+            for (int c = 0; c < 4; c++)
+                at[c] = colour;
+    }
+}
+
 static bool null_image(void *self, const struct sb_image_request *request,
                        struct sb_image *image, struct sb_error *err)
 {
@@ -239,9 +262,8 @@ static bool null_image(void *self, const struct sb_image_request *request,
         draw_cross(image, 0.25f + 0.125f * (float)request->caster);
         return true;
     }
-    sb_image_init(image, side, side, request->kind == SB_IMAGE_ID ? 1 : 4);
-    for (long i = 0; i < (long)side * side * image->channels; i++)
-        image->data[i] = request->kind == SB_IMAGE_ID ? 1 : colour;
+    const bool one = request->kind == SB_IMAGE_PROBE && request->one_pixel;
+    draw_kind(image, request, one ? 1 : side, colour);
     return true;
 }
 

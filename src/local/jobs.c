@@ -32,6 +32,8 @@ static void job_free(struct sb_local *local, struct sb_local_job *job)
     sb_pool_ring_put(&local->pool, job->ring);
     sb_binding_free(&job->binding);
     sb_binding_free(&job->lamp);
+    sb_binding_free(&job->probe);
+    sb_binding_free(&job->blank);
     sb_shadow_free(&job->shadow);
     for (int role = 0; role < SB_LOCAL_ROLE_COUNT; role++)
         sb_gl_program_free(&job->program[role]);

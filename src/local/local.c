@@ -15,6 +15,9 @@ static void close_runner(void *self)
         sb_local_release(local, local->jobs->id);
     sb_query_free(&local->query);
     sb_gl_program_free(&local->id_program);
+    sb_gl_program_free(&local->geometry_program);
+    sb_gl_program_free(&local->blank_program);
+    sb_target_free(&local->probe_target);
     local->context->close(local->window);
     free(local);
 }

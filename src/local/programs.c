@@ -1,5 +1,6 @@
 // The programs of a job, by role.
 #include <inttypes.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/hash.h"
@@ -10,6 +11,7 @@ static const char *const roles[SB_LOCAL_ROLE_COUNT] = {
     [SB_LOCAL_SHADE] = "shade",
     [SB_LOCAL_SHADOW] = "shadow",
     [SB_LOCAL_LAMP] = "lamp",
+    [SB_LOCAL_PROBE] = "probe",
 };
 
 // Place in `roles` of a program's role, or SB_LOCAL_ROLE_COUNT.
@@ -49,23 +51,51 @@ static void add_hash(struct sb_prepared *result, int place, uint64_t hash)
 bool sb_local_compile(struct sb_local_job *job, const struct sb_job *request,
                       struct sb_prepared *result)
 {
+    int compiled = 0;
     for (int i = 0; i < request->program_count; i++) {
         const struct sb_program *source = &request->program[i];
         const int role = role_of(source);
-        if (role == SB_LOCAL_ROLE_COUNT || job->program[role].name != 0)
+        const bool twice = role == SB_LOCAL_PROBE
+                               ? job->probe_source.role != NULL
+                               : role < SB_LOCAL_PROBE && job->program[role].name != 0;
+        if (role == SB_LOCAL_ROLE_COUNT || twice)
             return sb_fail(&result->error, SB_BAD_INPUT,
                            "job %" PRIu32 ": a program for the role \"%s\"; valid: one "
-                           "each for shade, shadow and lamp",
+                           "each for shade, shadow, lamp and probe",
                            request->id, source->role);
+        if (role == SB_LOCAL_PROBE) {
+            job->probe_source = *source;
+            continue;
+        }
         struct sb_gl_program *program = &job->program[role];
         const bool ok = sb_gl_program_make(source, program);
         result->compile_ms += program->compile_ms;
         result->link_ms += program->link_ms;
         if (!ok)
             return refused(program, i, source->role, result);
-        add_hash(result, i, program->binary_hash);
+        add_hash(result, compiled++, program->binary_hash);
     }
     return true;
+}
+
+bool sb_local_compile_probe(struct sb_local_job *job, struct sb_error *err)
+{
+    // Lit per vertex: what the vertex shader hands on, in the order of probe.c.
+    static const char *const varying[] = {"v_diffuse", "v_specular", "v_probe0",
+                                          "v_probe1", "v_probe2"};
+    const bool vertex = job->variant.value[SB_AXIS_STAGE] == SB_STAGE_VERTEX;
+    struct sb_gl_program *program = &job->program[SB_LOCAL_PROBE];
+    if (sb_gl_program_make_captured(&job->probe_source, varying,
+                                    vertex ? sizeof varying / sizeof *varying : 0,
+                                    program))
+        return true;
+    struct sb_prepared result = {0};
+    refused(program, 0, job->probe_source.role, &result);
+    if (err)
+        *err = result.error;
+    free(result.log);
+    sb_gl_program_free(program);
+    return false;
 }
 
 bool sb_local_has_role(const struct sb_local_job *job, enum sb_local_role role,

@@ -45,6 +45,7 @@ enum sb_local_role {
     SB_LOCAL_SHADE,
     SB_LOCAL_SHADOW,
     SB_LOCAL_LAMP,
+    SB_LOCAL_PROBE,
     SB_LOCAL_ROLE_COUNT
 };
 
@@ -56,7 +57,10 @@ struct sb_local_job {
     struct sb_shared_scene *scene;
     struct sb_gl_program program[SB_LOCAL_ROLE_COUNT]; // name 0: the job has none
     struct sb_binding binding, lamp;                   // of the lit draws, and of lamps
-    struct sb_shadow shadow;                           // casters 0: none
+    struct sb_program probe_source; // the caller's texts; role NULL: none
+    // Of the program "probe", and of what wipes out behind lamps; program 0: not made yet.
+    struct sb_binding probe, blank;
+    struct sb_shadow shadow;            // casters 0: none
     struct sb_shared_ring *ring, *half; // half: for shots with shrink=2, made on demand
 };
 
@@ -65,6 +69,9 @@ struct sb_local {
     void *window; // the context's own state
     struct sb_caps caps;
     struct sb_gl_program id_program;
+    // Made when first asked for; name 0, or no framebuffer: not yet.
+    struct sb_gl_program geometry_program, blank_program;
+    struct sb_target probe_target;
     const struct sb_timer_fns *timer; // NULL: none chosen yet, samples carry no GPU time
     struct sb_query query;
     struct sb_pool pool;
@@ -74,6 +81,8 @@ struct sb_local {
 // Compiles the job's programs; what fails, and how long it took, goes into *result.
 bool sb_local_compile(struct sb_local_job *job, const struct sb_job *request,
                       struct sb_prepared *result);
+// Compiles the program "probe" of a job that has its source; the error names stage and message.
+bool sb_local_compile_probe(struct sb_local_job *job, struct sb_error *err);
 // SB_BAD_INPUT where the job has no such program.
 bool sb_local_has_role(const struct sb_local_job *job, enum sb_local_role role,
                        struct sb_error *err);
@@ -84,11 +93,30 @@ bool sb_local_round(void *self, const struct sb_shot *shots, int count,
                     struct sb_sample *samples, struct sb_error *err);
 bool sb_local_image(void *self, const struct sb_image_request *request,
                     struct sb_image *image, struct sb_error *err);
+// SB_IMAGE_PROBE_COLOUR and SB_IMAGE_PROBE (probe.c).
+bool sb_local_probe_image(struct sb_local *local, struct sb_local_job *job,
+                          const struct sb_image_request *request, struct sb_image *image,
+                          struct sb_error *err);
 void sb_local_release(void *self, uint32_t id);
 
 // SB_INTERNAL where no such job is prepared.
 struct sb_local_job *sb_local_job_find(const struct sb_local *local, uint32_t id,
                                        struct sb_error *err);
+
+// Puts the job's lights, as this binding has uploaded them, and its shadow maps in the state of
+// a picture: the first phase, and those off that the request wants off. Afterwards
+// sb_local_lights_on, before anything waits: no upload may be left over for the next batch.
+void sb_local_still(const struct sb_local_job *job, const struct sb_binding *binding,
+                    const struct sb_image_request *request);
+void sb_local_lights_on(const struct sb_binding *binding,
+                        const struct sb_image_request *request);
+// The size of the picture that is asked for.
+struct sb_shape sb_local_shape(const struct sb_local_job *job,
+                               const struct sb_image_request *request);
+// Reads a target that was drawn to, or reports what went wrong.
+bool sb_local_read(const struct sb_local_job *job, const struct sb_target *target,
+                   const struct sb_target_part *part, struct sb_image *image,
+                   struct sb_error *err);
 
 // A frame of the job's own programs, its lights as they were last uploaded.
 struct sb_frame_params sb_local_frame(const struct sb_local *local,

@@ -39,15 +39,17 @@ void sb_frame_state(bool gles, int64_t *calls)
 static void clear(const struct sb_target *target, const float *colour, int64_t *calls)
 {
     static const GLuint background[4];
-    static const GLfloat far = 1;
-    if (target->format == SB_GL_R32UI)
+    static const GLfloat far = 1, nothing[4];
+    if (target->format == SB_GL_R32UI || target->format == SB_GL_RGBA32UI)
         GL(glClearBufferuiv(GL_COLOR, 0, background));
     else
         GL(glClearBufferfv(GL_COLOR, 0, colour));
+    for (int i = 1; i <= target->more_count; i++)
+        GL(glClearBufferfv(GL_COLOR, i, nothing));
     GL(glClearBufferfv(GL_DEPTH, 0, &far));
 }
 
-static void bind(const struct sb_binding *binding, int64_t *calls)
+void sb_frame_bind(const struct sb_binding *binding, int64_t *calls)
 {
     GL(glUseProgram(binding->program));
     if (binding->lights.buffer)
@@ -86,7 +88,7 @@ static void set_lamp(const struct sb_binding *binding, int number, int64_t *call
         GL(glUniform3fv(binding->lamp_colour, 1, point[number].diffuse));
 }
 
-static void draw(const struct sb_binding *binding, int number, int64_t *calls)
+void sb_frame_place(const struct sb_binding *binding, int number, int64_t *calls)
 {
     const struct sb_scene *scene = binding->upload->scene;
     const struct sb_draw *it = &scene->draw[number];
@@ -102,8 +104,14 @@ static void draw(const struct sb_binding *binding, int number, int64_t *calls)
     if (binding->draw >= 0)
         GL(glUniform1ui(binding->draw, (GLuint)number + 1));
     GL(glBindVertexArray(binding->upload->mesh[it->mesh].vertex_array));
-    GL(glDrawElements(GL_TRIANGLES, scene->mesh[it->mesh].index_count, GL_UNSIGNED_INT,
-                      NULL));
+}
+
+static void draw(const struct sb_binding *binding, int number, int64_t *calls)
+{
+    const struct sb_scene *scene = binding->upload->scene;
+    const struct sb_mesh *mesh = &scene->mesh[scene->draw[number].mesh];
+    sb_frame_place(binding, number, calls);
+    GL(glDrawElements(GL_TRIANGLES, mesh->index_count, GL_UNSIGNED_INT, NULL));
 }
 
 enum draws { ALL_DRAWS, LIT_DRAWS, LAMP_DRAWS };
@@ -112,7 +120,7 @@ static void draw_all(const struct sb_binding *binding, enum draws which, int lay
                      int64_t *calls)
 {
     const struct sb_scene *scene = binding->upload->scene;
-    bind(binding, calls);
+    sb_frame_bind(binding, calls);
     for (int layer = 0; layer < layers; layer++) {
         for (int i = 0; i < scene->draw_count; i++) {
             const enum draws kind = scene->draw[i].lamp >= 0 ? LAMP_DRAWS : LIT_DRAWS;
@@ -122,6 +130,32 @@ static void draw_all(const struct sb_binding *binding, enum draws which, int lay
     }
 }
 
+// Draws go to the first attachment only, or to all but the first one.
+static void choose_attachments(const struct sb_target *target, bool first, bool more,
+                               int64_t *calls)
+{
+    GLenum buffers[1 + SB_TARGET_MORE];
+    for (int i = 0; i <= target->more_count; i++)
+        buffers[i] = (i == 0 ? first : more) ? GL_COLOR_ATTACHMENT0 + (GLenum)i : GL_NONE;
+    GL(glDrawBuffers(1 + target->more_count, buffers));
+}
+
+// The program of lamps has one output. What the lit draws behind a lamp have left in the other
+// attachments is wiped out by drawing it again: LEQUAL lets the same depth pass.
+static void draw_lamps(const struct sb_frame_params *params, int64_t *calls)
+{
+    const struct sb_target *target = params->target;
+    if (target->more_count == 0) {
+        draw_all(params->lamp, LAMP_DRAWS, params->layers, calls);
+        return;
+    }
+    choose_attachments(target, true, false, calls);
+    draw_all(params->lamp, LAMP_DRAWS, params->layers, calls);
+    choose_attachments(target, false, true, calls);
+    draw_all(params->blank, LAMP_DRAWS, params->layers, calls);
+    choose_attachments(target, true, true, calls);
+}
+
 static void draw_picture(const struct sb_frame_params *params, int64_t *calls)
 {
     const struct sb_binding *binding = params->binding;
@@ -129,12 +163,16 @@ static void draw_picture(const struct sb_frame_params *params, int64_t *calls)
     GL(glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffer));
     GL(glViewport(0, 0, target->width, target->height));
     sb_frame_state(params->gles, calls);
+    if (params->pixel) {
+        GL(glEnable(GL_SCISSOR_TEST));
+        GL(glScissor(params->pixel[0], params->pixel[1], 1, 1));
+    }
     clear(target, binding->upload->scene->clear_colour, calls);
     if (params->shadow)
         *calls += sb_shadow_bind(params->shadow);
     draw_all(binding, params->lamp ? LIT_DRAWS : ALL_DRAWS, params->layers, calls);
     if (params->lamp)
-        draw_all(params->lamp, LAMP_DRAWS, params->layers, calls);
+        draw_lamps(params, calls);
     *calls += sb_target_resolve(target);
 }
 

@@ -48,6 +48,9 @@ struct sb_upload {
 // Maps are sampled bilinearly at full size and repeat: mipmap levels and their selection
 // differ between drivers. A driver that runs out of memory says so in sb_gl_error.
 void sb_upload_make(struct sb_upload *upload, const struct sb_scene *scene);
+// The same meshes with three vertices of their own for each triangle, in order, so that
+// gl_VertexID tells triangle and corner. No maps.
+void sb_upload_make_triangles(struct sb_upload *upload, const struct sb_scene *scene);
 void sb_upload_free(struct sb_upload *upload);
 
 // --- lights, uploaded ------------------------------------------------------------------
@@ -133,10 +136,14 @@ struct sb_frame_params {
     const struct sb_binding *binding;
     const struct sb_binding
         *lamp; // for draws that show a lamp; NULL: `binding` does them too
+    // With a target of several attachments, which lamps do not write: a program that writes 0
+    // to all but the first (sb_blank_program_make), bound. Else it does not matter.
+    const struct sb_binding *blank;
     const struct sb_shadow *shadow; // maps that `binding` looks up; NULL: none
     const struct sb_target *target;
     int layers;
     int phase;         // of the lights, uploaded first; -1: they are left as they are
+    const int *pixel;  // x, y: only this one is cleared and drawn; NULL: all
     bool shadows_only; // no picture: only the lights and the shadow maps
     bool gles;
 };
@@ -154,3 +161,28 @@ void sb_frame_end_shadows(const struct sb_target *target);
 // bound and drawn like any other, so that it covers the pixels that a shader covers which
 // computes its position as u_view_projection * (u_model * vec4(a_position, 1)).
 bool sb_id_program_make(struct sb_gl_program *program, bool gles, struct sb_error *err);
+
+// A program for a scene uploaded as triangles and an SB_GL_RGBA32UI target: the bits of the
+// number of the draw, that of the triangle in its mesh, both from 1, and the driver's own
+// weights of the triangle's second and third vertex. Covers the pixels of the id program.
+bool sb_geometry_program_make(struct sb_gl_program *program, bool gles,
+                              struct sb_error *err);
+
+// A program that writes 0 to the outputs at locations 1 to SB_TARGET_MORE.
+bool sb_blank_program_make(struct sb_gl_program *program, bool gles,
+                           struct sb_error *err);
+
+// --- what the vertex shader hands on ---------------------------------------------------
+
+// Vertices of the meshes of all lit draws, each mesh as often as it is drawn.
+int64_t sb_capture_vertices(const struct sb_scene *scene);
+
+struct sb_capture_params {
+    const struct sb_binding *binding; // of a program made by sb_gl_program_make_captured
+    const struct sb_shadow *shadow;   // maps that `binding` looks up; NULL: none
+    int floats;                       // a vertex
+    bool gles;
+};
+// Runs the vertex shader once for each vertex of the meshes of all lit draws, in order, and
+// fills `values` with what it hands on. Errors are left to sb_gl_error.
+void sb_capture_draw(const struct sb_capture_params *params, float *values);

@@ -68,6 +68,29 @@ void sb_upload_make(struct sb_upload *upload, const struct sb_scene *scene)
     }
 }
 
+void sb_upload_make_triangles(struct sb_upload *upload, const struct sb_scene *scene)
+{
+    *upload = (struct sb_upload){.scene = scene};
+    upload->mesh = sb_alloc((size_t)scene->mesh_count * sizeof *upload->mesh);
+    for (int i = 0; i < scene->mesh_count; i++) {
+        const struct sb_mesh *mesh = &scene->mesh[i];
+        const size_t count = (size_t)mesh->index_count;
+        struct sb_vertex *vertex = sb_alloc(count * sizeof *vertex);
+        uint32_t *index = sb_alloc(count * sizeof *index);
+        for (size_t k = 0; k < count; k++) {
+            vertex[k] = mesh->vertex[mesh->index[k]];
+            index[k] = (uint32_t)k;
+        }
+        const struct sb_mesh triangles = {.vertex = vertex,
+                                          .index = index,
+                                          .vertex_count = mesh->index_count,
+                                          .index_count = mesh->index_count};
+        mesh_make(&upload->mesh[i], &triangles);
+        free(vertex);
+        free(index);
+    }
+}
+
 void sb_upload_free(struct sb_upload *upload)
 {
     for (int i = 0; upload->mesh && i < upload->scene->mesh_count; i++) {
