@@ -1,7 +1,7 @@
 // Relations that the reference's shading must keep whatever the numbers are: the order of
 // lights, their parts, turns, mirrors, scales and spaces. And the slips of the source texts
 // against what docs/sources.md says of them.
-#include "reference_world.h"
+#include "lit_world.h"
 
 #include "math/random.h"
 

@@ -1,5 +1,5 @@
 // Textures of the reference against the equations of OpenGL in long double.
-#include "reference_world.h"
+#include "lit_world.h"
 
 #include "math/random.h"
 

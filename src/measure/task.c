@@ -142,6 +142,7 @@ void sb_task_prepare(struct sb_task *task, const struct sb_prepare_params *param
         .caps = &driver->caps,
         .id = id,
         .movable_lights = params->movable_lights,
+        .probe = !params->movable_lights,
     };
     struct sb_error err = {0};
     task->untimed = is_untimed(&params->suite->axes, &task->entry->variant);

@@ -65,7 +65,8 @@ static inline void one_make(struct one *one, const struct one_params *params)
         .data_dir = SB_SOURCE_DIR,
         .shaders = params->shaders,
     };
-    sb_task_prepare(&one->task, &prepare, 1);
+    static uint32_t number; // a test that failed has not released its job
+    sb_task_prepare(&one->task, &prepare, ++number);
     if (!one->task.loaded)
         fail_msg("%s: %s", params->words, sb_text_get(&one->task.note));
 }
