@@ -442,6 +442,23 @@ static void boards_do_not_shine_and_nothing_is_black(void **state)
     sb_scene_free(&scene);
 }
 
+// The table and the meshes say it both; lamps are drawn beside what is lit.
+static void a_scene_is_analytic_when_all_that_is_lit_stands_for_a_sphere(void **state)
+{
+    (void)state;
+    const struct sb_variant variant = scene_variant(1, 2, 1);
+    for (int i = 0; i < sb_scene_row_count; i++) {
+        struct sb_scene scene = made(sb_scene_rows[i].name, &variant);
+        bool all = true;
+        for (int d = 0; d < scene.draw_count; d++)
+            all &= scene.draw[d].lamp >= 0 || scene.mesh[scene.draw[d].mesh].sphere;
+        assert_true(sb_scene_analytic(sb_scene_rows[i].name) == all);
+        sb_scene_free(&scene);
+    }
+    assert_true(sb_scene_analytic("sphere"));
+    assert_false(sb_scene_analytic("no_such_scene"));
+}
+
 static void an_unknown_scene_is_answered_with_the_known_ones(void **state)
 {
     (void)state;
@@ -487,6 +504,7 @@ int main(void)
         cmocka_unit_test(the_limits_of_the_axes_still_make_valid_scenes),
         cmocka_unit_test(normal_map_texels_are_unit_vectors_that_point_out),
         cmocka_unit_test(boards_do_not_shine_and_nothing_is_black),
+        cmocka_unit_test(a_scene_is_analytic_when_all_that_is_lit_stands_for_a_sphere),
         cmocka_unit_test(what_is_made_is_validated),
         cmocka_unit_test(an_unknown_scene_is_answered_with_the_known_ones),
     };

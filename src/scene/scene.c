@@ -8,13 +8,13 @@
 
 // clang-format off
 const struct sb_scene_row sb_scene_rows[] = {
-    {"containers", "ten turned cubes, a sun, lamps, a flashlight", sb_scene_containers},
-    {"sphere",     "one sphere, lit from the viewer's side",       sb_scene_sphere},
-    {"plane",      "a corridor with many lamps of short reach",    sb_scene_plane},
-    {"tunnel",     "a corridor with the wikibook's two lights",    sb_scene_tunnel},
-    {"blocks",     "a field of blocks under a sun that moves",     sb_scene_blocks},
-    {"spheres",    "eight spheres, each of its own material",      sb_scene_spheres},
-    {"room",       "a closed room, for shadows of point lights",   sb_scene_room},
+    {"containers", "ten turned cubes, a sun, lamps, a flashlight", sb_scene_containers, false},
+    {"sphere",     "one sphere, lit from the viewer's side",       sb_scene_sphere,     true},
+    {"plane",      "a corridor with many lamps of short reach",    sb_scene_plane,      false},
+    {"tunnel",     "a corridor with the wikibook's two lights",    sb_scene_tunnel,     false},
+    {"blocks",     "a field of blocks under a sun that moves",     sb_scene_blocks,     false},
+    {"spheres",    "eight spheres, each of its own material",      sb_scene_spheres,    false},
+    {"room",       "a closed room, for shadows of point lights",   sb_scene_room,       false},
 };
 // clang-format on
 const int sb_scene_row_count = sizeof sb_scene_rows / sizeof *sb_scene_rows;
@@ -29,6 +29,14 @@ const struct sb_scene_row *sb_scene_expect(const char *name, struct sb_error *er
     }
     sb_fail_unknown(err, "", "scene", name, names, sb_scene_row_count);
     return NULL;
+}
+
+bool sb_scene_analytic(const char *name)
+{
+    for (int i = 0; i < sb_scene_row_count; i++)
+        if (strcmp(sb_scene_rows[i].name, name) == 0)
+            return sb_scene_rows[i].analytic;
+    return false;
 }
 
 bool sb_scene_make(const char *name, const struct sb_variant *variant,

@@ -69,12 +69,17 @@ struct sb_scene {
 struct sb_scene_row { // the table of scenes
     const char *name, *help;
     void (*make)(struct sb_scene *scene, const struct sb_variant *variant);
+    bool analytic; // its truth is a closed form (sb_mesh.sphere), not its triangles
 };
 extern const struct sb_scene_row sb_scene_rows[];
 extern const int sb_scene_row_count;
 
 // The row called `name`; an unknown name fails with the nearest and all valid names.
 const struct sb_scene_row *sb_scene_expect(const char *name, struct sb_error *err);
+
+// Is the truth of the scene called `name` a closed form? Then more triangles are quality, not
+// another picture. False for an unknown name.
+bool sb_scene_analytic(const char *name);
 
 // Builds and validates. The variant must be resolved. *scene must be zeroed;
 // sb_scene_free also after failure.
