@@ -4,6 +4,7 @@
 
 #include "base/file.h"
 #include "measure/resume.h"
+#include "results/rows.h"
 #include "results/store.h"
 
 static bool check_plan(const struct sb_earlier *earlier, const struct sb_suite *suite,
@@ -166,27 +167,6 @@ bool sb_earlier_hand_out(const struct sb_earlier *earlier, struct sb_task *tasks
     return true;
 }
 
-// The axes of one line of summary.csv; an empty cell is a moot axis.
-static bool recall_axes(const struct sb_csv *csv, int line, const struct sb_axes *axes,
-                        struct sb_variant *variant, struct sb_error *err)
-{
-    for (int a = 0; a < axes->count; a++) {
-        const struct sb_axis *axis = &axes->row[a];
-        const int column = sb_csv_column(csv, axis->name);
-        const char *text = column >= 0 ? csv->cell[line][column] : "";
-        double value = 0;
-        if (!*text)
-            continue;
-        if (axis->values && (value = sb_axis_value_expect(axis, text, err)) < 0)
-            return false;
-        if (!axis->values &&
-            !sb_number_read(axis->name, text, axis->min, axis->max, false, &value, err))
-            return false;
-        variant->value[a] = value;
-    }
-    return true;
-}
-
 bool sb_earlier_recall(struct sb_earlier *earlier, const char *dir,
                        const struct sb_suite *suite, struct sb_row *rows,
                        struct sb_variant *variants, struct sb_error *err)
@@ -200,12 +180,8 @@ bool sb_earlier_recall(struct sb_earlier *earlier, const char *dir,
                        path, csv->row_count - 1, suite->entry_count);
     for (int i = 0; good && i < suite->entry_count; i++) {
         struct sb_row *row = &rows[i];
-        sb_row_init(row);
         variants[i] = suite->entry[i].variant;
-        row->axes = &variants[i];
-        if (!recall_axes(csv, i + 1, &suite->axes, &variants[i], err) ||
-            !sb_csv_get(csv, i + 1, sb_summary_columns, sb_summary_column_count, row,
-                        err))
+        if (!sb_rows_get(csv, i + 1, &suite->axes, &variants[i], row, err))
             good = sb_fail(err, SB_BAD_INPUT, "%s:%d: %s", path, i + 2, err->text);
         else if (!row->variant || strcmp(row->variant, suite->entry[i].id) != 0 ||
                  !row->scene || !row->renderer || !row->version || !row->timer_source ||
