@@ -18,6 +18,8 @@ const struct sb_command sb_commands[] = {
      "A variant is AXIS=VALUE,…, after the name of a preset where it has one; `default` is the\nvariant of all defaults. Needs no GL.", 4, sb_cmd_show},
     {"run", "[SUITE]", "measure a suite, or what --set and --sweep ask for",
      "SUITE is the name of a shipped suite (shadebench list suites) or a YAML file. Without\nSUITE, --set and --sweep say what to run. Exit codes: 0 done, 2 input, 3 a row is not\nvalid, 77 no GL here, 130 interrupted.", 8, sb_cmd_run},
+    {"compare", "--pareto | --terms RESULTS", "which rows of a run are beaten in time and error, and what each term's precision costs",
+     "RESULTS is a results folder or its summary.csv. Nothing is measured, no driver is opened.\nA row is dominated by another of the same scene axes, target and platform whose time\ninterval lies wholly below and which is no worse in any error.", 32, sb_cmd_compare},
     {"verify", "--classes [SUITE]", "do variants that differ only in how they do it draw the same picture?",
      "Draws every variant of SUITE (classes, where none is given) and compares it with the first\nof its equivalence class: same scene, equal on all but implementation axes. Exit code 3: two\npictures differ that must not, or a variant cannot be drawn.", 16, sb_cmd_verify},
     {"explain", "VARIANT --pixel X,Y", "everything that was computed on the way to one pixel",

@@ -6,8 +6,18 @@
 #include "base/words.h"
 #include "cli/common.h"
 
-enum { PROBE = 1, LIST = 2, SHOW = 4, RUN = 8, VERIFY = 16, EXPLAIN = 64, ALL = 127 };
+enum {
+    PROBE = 1,
+    LIST = 2,
+    SHOW = 4,
+    RUN = 8,
+    VERIFY = 16,
+    COMPARE = 32,
+    EXPLAIN = 64,
+    ALL = 127
+};
 enum { PLAN = RUN | SHOW | VERIFY | EXPLAIN }; // commands that take variants
+enum { OFFLINE = LIST | COMPARE };             // those that are of no platform
 
 enum option_type { FLAG, TEXT, ASSIGNMENT };
 
@@ -34,6 +44,8 @@ static const struct option options_table[] = {
     {"images",   0,   NULL,         RUN,              FLAG,       AT(images),   "write a PNG of each variant, of its shadow maps, and a contact sheet"},
     {"dump",     0,   "DIR",        RUN,              TEXT,       AT(dump),     "write the float picture, ids and scene of each variant (docs/formats.md)"},
     {"classes",  0,   NULL,         VERIFY,           FLAG,       AT(classes),  "compare the pictures of each equivalence class"},
+    {"pareto",   0,   NULL,         COMPARE,          FLAG,       AT(pareto),   "rank the rows of a run over time and error: the front, and what is dominated"},
+    {"terms",    0,   NULL,         COMPARE,          FLAG,       AT(terms),    "the price of each term's precision, from a run of the suite terms"},
     {"validate", 0,   NULL,         SHOW,             FLAG,       AT(validate), "check the sources with glslangValidator"},
     {"timer",    0,   "NAME",       RUN|PROBE,        TEXT,       AT(timer),    "timer source to use, if its audit allows; default: auto"},
     {"pixel",    0,   "X,Y",        EXPLAIN,          TEXT,       AT(pixel),    "the pixel to explain, counted from the lower left"},
@@ -65,7 +77,7 @@ static int option_names(const struct sb_command *command, const char **names, in
         names[count++] = name;
     }
     const struct sb_axes *axes = sb_axes_builtin();
-    for (int i = 0; !(command->bit & LIST) && i < axes->count && count < room; i++)
+    for (int i = 0; !(command->bit & OFFLINE) && i < axes->count && count < room; i++)
         if (axes->row[i].kind == SB_PLATFORM)
             names[count++] = sb_arena_printf(arena, "--%s", axes->row[i].name);
     return count;
@@ -121,7 +133,7 @@ static bool derived_option(const struct sb_command *command, const char *name,
             list = &options->setting;
     const struct sb_axes *axes = sb_axes_builtin();
     const int axis = sb_axes_find(axes, plain);
-    if (!(command->bit & LIST) && axis >= 0 && axes->row[axis].kind == SB_PLATFORM)
+    if (!(command->bit & OFFLINE) && axis >= 0 && axes->row[axis].kind == SB_PLATFORM)
         list = &options->set;
     *known = list != NULL;
     if (!list || !value || list->count == SB_ASSIGNMENTS_MAX)
@@ -249,9 +261,9 @@ void sb_options_help(const struct sb_command *command)
             help_line(options_table[i].name, options_table[i].argument,
                       options_table[i].letter, options_table[i].help);
     const struct sb_axes *axes = sb_axes_builtin();
-    if (!(command->bit & LIST))
+    if (!(command->bit & OFFLINE))
         printf("\nplatform, each also as --set NAME=VALUE:\n");
-    for (int i = 0; !(command->bit & LIST) && i < axes->count; i++)
+    for (int i = 0; !(command->bit & OFFLINE) && i < axes->count; i++)
         if (axes->row[i].kind == SB_PLATFORM)
             help_line(axes->row[i].name, axes->row[i].values ? "WORD" : "N", 0,
                       axes->row[i].help);

@@ -17,7 +17,7 @@ struct sb_assignments {
 struct sb_options {
     const char *data, *shaders, *preset, *scene, *output, *resume, *timer, *device, *dump,
         *pixel;
-    bool json, quiet, verbose, help, images, validate, classes;
+    bool json, quiet, verbose, help, images, validate, classes, pareto, terms;
     struct sb_assignments set, sweep, cross, setting;
     const char *word[SB_WORDS_MAX]; // what is no option
     int word_count;

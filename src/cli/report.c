@@ -2,67 +2,23 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "analyse/pareto.h"
 #include "cli/report.h"
-#include "cli/table.h"
 
-// Only what differs between the rows needs a column. An axis that is moot in some rows and
-// has one value in the others does not differ.
-static bool axis_varies(const struct sb_axes *axes, const struct sb_row *row, int count,
-                        int axis)
+void sb_report_level(struct sb_table *table, const struct sb_row *row)
 {
-    struct sb_text seen = {0}, other = {0};
-    bool varies = false;
-    for (int i = 0; i < count && !varies; i++) {
-        sb_text_clear(&other);
-        sb_variant_value_text(axes, row[i].axes, axis, &other);
-        if (!seen.length)
-            sb_text_add(&seen, sb_text_get(&other));
-        varies = other.length && strcmp(seen.data, other.data) != 0;
-    }
-    sb_text_free(&seen);
-    sb_text_free(&other);
-    return varies && axes->row[axis].kind != SB_PLATFORM;
-}
-
-// A shorthand shows what it sets; its terms would repeat it ten times over.
-static bool is_set_by_shorthand(const struct sb_axes *axes, const struct sb_row *row,
-                                int count, int axis)
-{
-    for (int i = 0; i < count; i++)
-        if (sb_variant_given(row[i].axes, axis))
-            return false;
-    for (int a = 0; a < axes->count; a++)
-        for (int v = 0; v < axes->row[a].value_count; v++)
-            if (strstr(axes->row[a].values[v].sets, axes->row[axis].name))
-                return true;
-    return false;
-}
-
-static bool scene_varies(const struct sb_row *row, int count)
-{
-    for (int i = 1; i < count; i++)
-        if (strcmp(row[i].scene, row[0].scene) != 0)
-            return true;
-    return false;
-}
-
-static void real_cell(struct sb_table *table, const char *format, double value)
-{
-    char text[64] = "";
-    if (!isnan(value))
-        snprintf(text, sizeof text, format, value);
-    sb_table_cell(table, text);
+    const double half =
+        fmax(row->ci_hi_ms - row->median_ms, row->median_ms - row->ci_lo_ms);
+    sb_table_real(table, "%.3f", row->median_ms);
+    sb_table_real(table, "%.1f %%", 100 * half / row->median_ms);
 }
 
 static void add_times(struct sb_table *table, const struct sb_row *row, bool statuses)
 {
-    const double half =
-        fmax(row->ci_hi_ms - row->median_ms, row->median_ms - row->ci_lo_ms);
-    real_cell(table, "%.3f", row->median_ms);
-    real_cell(table, "%.1f %%", 100 * half / row->median_ms);
-    real_cell(table, row->fps < 100 ? "%.1f" : "%.0f", row->fps);
-    real_cell(table, "%.2f", row->ns_per_fragment);
-    real_cell(table, "%.2f", row->ratio);
+    sb_report_level(table, row);
+    sb_table_real(table, row->fps < 100 ? "%.1f" : "%.0f", row->fps);
+    sb_table_real(table, "%.2f", row->ns_per_fragment);
+    sb_table_real(table, "%.2f", row->ratio);
     if (statuses)
         sb_table_cell(table, row->status);
 }
@@ -96,103 +52,46 @@ static void print_statuses(const struct sb_row *row, int count)
     }
 }
 
-// An axis that not all rows were given, or not with the same value.
-static bool is_given_differently(const struct sb_row *row, int count, int axis)
+static bool has_errors(const struct sb_row *row, int count)
 {
-    for (int i = 1; i < count; i++)
-        if (sb_variant_given(row[i].axes, axis) != sb_variant_given(row[0].axes, axis) ||
-            row[i].axes->value[axis] != row[0].axes->value[axis])
+    for (int i = 0; i < count; i++)
+        if (!isnan(row[i].max_err))
             return true;
     return false;
 }
 
-static bool presets_vary(const struct sb_suite *suite, int count)
+void sb_report_mark(const struct sb_keys *keys, const struct sb_row *row,
+                    struct sb_text *text)
 {
-    for (int i = 1; i < count; i++)
-        if (suite->entry[i].preset != suite->entry[0].preset &&
-            strcmp(suite->entry[i].preset, suite->entry[0].preset) != 0)
-            return true;
-    return false;
+    struct sb_text id = {0};
+    for (int i = 0; row->dominated_by && !id.length && i < keys->count; i++)
+        if (strcmp(keys->row[i].variant, row->dominated_by) == 0 &&
+            strcmp(keys->row[i].scene, row->scene) == 0)
+            sb_keys_id(keys, &keys->row[i], &id);
+    sb_pareto_text(row, id.length ? id.data : row->dominated_by, text);
+    sb_text_free(&id);
 }
 
-// The part of the row's id that sets it apart from the others; `text` may hold the preset.
-static void distinct_id(const struct sb_axes *axes, const struct sb_row *rows, int count,
-                        const struct sb_row *row, struct sb_text *text)
+static void add_errors(struct sb_table *table, const struct sb_keys *keys,
+                       const struct sb_row *row)
 {
-    struct sb_text value = {0};
-    for (int a = 0; a < axes->count; a++) {
-        sb_text_clear(&value);
-        sb_variant_value_text(axes, row->axes, a, &value);
-        if (value.length && sb_variant_given(row->axes, a) &&
-            is_given_differently(rows, count, a))
-            sb_text_printf(text, "%s%s=%s", text->length ? "," : "", axes->row[a].name,
-                           value.data);
-    }
-    if (!text->length)
-        sb_text_add(text, "base");
-    sb_text_free(&value);
+    struct sb_text mark = {0};
+    sb_table_real(table, "%.2g", row->max_err);
+    sb_table_real(table, "%.2g", row->p999_err);
+    sb_table_real(table, "%.2g", row->flip_mean);
+    sb_report_mark(keys, row, &mark);
+    sb_table_cell(table, sb_text_get(&mark));
+    sb_text_free(&mark);
 }
 
-// What tells the rows apart: a column for each axis that varies or, where these are many,
-// one column with the distinct part of the id.
-enum { AXIS_COLUMNS_MAX = 5 };
-
-struct key_columns {
-    bool scene, id, axis[SB_AXIS_MAX];
-    bool preset; // in the id
-};
-
-static void add_key_columns(struct sb_table *table, const struct sb_suite *suite,
-                            const struct sb_row *row, int count, struct key_columns *key)
-{
-    const struct sb_axes *axes = &suite->axes;
-    int shown = 0;
-    key->preset = presets_vary(suite, count);
-    key->scene = scene_varies(row, count);
-    for (int a = 0; a < axes->count; a++) {
-        key->axis[a] =
-            axis_varies(axes, row, count, a) && !is_set_by_shorthand(axes, row, count, a);
-        shown += key->axis[a];
-    }
-    key->id = shown > AXIS_COLUMNS_MAX || key->preset;
-    if (key->scene)
-        sb_table_column(table, "scene", false);
-    if (key->id)
-        sb_table_column(table, "variant", false);
-    for (int a = 0; !key->id && a < axes->count; a++)
-        if (key->axis[a])
-            sb_table_column(table, axes->row[a].name, !axes->row[a].values);
-}
-
-static void add_key_cells(struct sb_table *table, const struct sb_suite *suite,
-                          const struct sb_row *rows, int count, const struct sb_row *row,
-                          const struct key_columns *key)
-{
-    const struct sb_axes *axes = &suite->axes;
-    struct sb_text text = {0};
-    if (key->scene)
-        sb_table_cell(table, row->scene);
-    if (key->preset)
-        sb_text_add(&text, suite->entry[row - rows].preset);
-    if (key->id) {
-        distinct_id(axes, rows, count, row, &text);
-        sb_table_cell(table, sb_text_get(&text));
-    }
-    for (int a = 0; !key->id && a < axes->count; a++) {
-        sb_text_clear(&text);
-        sb_variant_value_text(axes, row->axes, a, &text);
-        if (key->axis[a])
-            sb_table_cell(table, sb_text_get(&text));
-    }
-    sb_text_free(&text);
-}
-
-void sb_report_table(const struct sb_suite *suite, const struct sb_row *row, int count)
+void sb_report_table(const struct sb_axes *axes, const struct sb_row *row, int count)
 {
     struct sb_table *table = sb_table_new();
-    struct key_columns key;
+    struct sb_keys keys;
+    const bool errors = has_errors(row, count);
     bool statuses = false;
-    add_key_columns(table, suite, row, count, &key);
+    sb_keys_make(&keys, axes, row, count);
+    sb_keys_columns(&keys, table);
     for (int i = 0; i < count; i++)
         statuses |= strcmp(row[i].status, "ok") != 0;
     sb_table_column(table, "median ms", true);
@@ -202,9 +101,14 @@ void sb_report_table(const struct sb_suite *suite, const struct sb_row *row, int
     sb_table_column(table, "ratio", true);
     if (statuses)
         sb_table_column(table, "status", false);
+    static const char *const titles[] = {"max err", "p99.9", "FLIP", "front"};
+    for (int i = 0; errors && i < 4; i++)
+        sb_table_column(table, titles[i], i < 3);
     for (int i = 0; i < count; i++) {
-        add_key_cells(table, suite, row, count, &row[i], &key);
+        sb_keys_cells(&keys, table, &row[i]);
         add_times(table, &row[i], statuses);
+        if (errors)
+            add_errors(table, &keys, &row[i]);
     }
     sb_table_print(table);
     sb_table_free(&table);

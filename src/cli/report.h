@@ -1,11 +1,17 @@
-// What `run` prints of its rows: the table, and JSON.
+// What `run` and `compare` print of rows: tables, and JSON.
 #pragma once
 
 #include <jansson.h>
 
-#include "results/row.h"
-#include "suite/suite.h"
+#include "cli/keys.h"
 
-// One row a plan entry, in the plan's order.
-void sb_report_table(const struct sb_suite *suite, const struct sb_row *row, int count);
+// Rows in the plan's order. Errors and the front have columns where any row has errors.
+void sb_report_table(const struct sb_axes *axes, const struct sb_row *row, int count);
 json_t *sb_report_json(const struct sb_axes *axes, const struct sb_row *row, int count);
+
+// Two cells: the median in ms, and its interval's larger half in percent of it.
+void sb_report_level(struct sb_table *table, const struct sb_row *row);
+
+// sb_pareto_text with what sets the dominator apart from the other rows of `keys`.
+void sb_report_mark(const struct sb_keys *keys, const struct sb_row *row,
+                    struct sb_text *text);

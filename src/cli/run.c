@@ -187,7 +187,7 @@ static void print_results(const struct sb_options *options, const struct sb_suit
         drift = fmax(drift, row->drift); // fmax passes over NAN
     }
     print_head(suite, shown, same_kind, drift);
-    sb_report_table(suite, result->row, result->row_count);
+    sb_report_table(&suite->axes, result->row, result->row_count);
     if (written)
         printf("\nresults: %s/summary.csv\n", dir);
     if (result->interrupted)

@@ -1,3 +1,4 @@
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -64,6 +65,14 @@ void sb_table_cellf(struct sb_table *table, const char *format, ...)
     va_end(args);
     sb_table_cell(table, sb_text_get(&text));
     sb_text_free(&text);
+}
+
+void sb_table_real(struct sb_table *table, const char *format, double value)
+{
+    char text[64] = "";
+    if (!isnan(value))
+        snprintf(text, sizeof text, format, value);
+    sb_table_cell(table, text);
 }
 
 static void print_cell(const struct sb_table *table, int index, const char *text)

@@ -1,0 +1,152 @@
+// shadebench compare: judges what earlier runs have written. Nothing is measured.
+#include <math.h>
+#include <string.h>
+
+#include "base/file.h"
+#include "base/log.h"
+#include "cli/compare.h"
+#include "measure/run.h"
+
+bool sb_compare_varies(const struct sb_compared *compared, int axis)
+{
+    const struct sb_rows *rows = &compared->rows;
+    struct sb_text first = {0}, other = {0};
+    bool varies = false;
+    sb_variant_value_text(compared->axes, rows->row[0].axes, axis, &first);
+    for (int i = 1; i < rows->count && !varies; i++) {
+        sb_text_clear(&other);
+        sb_variant_value_text(compared->axes, rows->row[i].axes, axis, &other);
+        varies = strcmp(sb_text_get(&first), sb_text_get(&other)) != 0;
+    }
+    sb_text_free(&first);
+    sb_text_free(&other);
+    return varies;
+}
+
+void sb_compare_add_axis(const struct sb_axes *axes, const struct sb_row *row, int axis,
+                         struct sb_text *text)
+{
+    struct sb_text value = {0};
+    sb_variant_value_text(axes, row->axes, axis, &value);
+    if (value.length)
+        sb_text_printf(text, " %s=%s", axes->row[axis].name, value.data);
+    sb_text_free(&value);
+}
+
+static bool same(const char *a, const char *b)
+{
+    return strcmp(a ? a : "", b ? b : "") == 0;
+}
+
+void sb_compare_add_driver(const struct sb_compared *compared, const struct sb_row *row,
+                           struct sb_text *text)
+{
+    bool one = true;
+    for (int i = 0; i < compared->rows.count; i++) {
+        const struct sb_row *other = &compared->rows.row[i];
+        one &= same(row->renderer, other->renderer) &&
+               same(row->version, other->version) &&
+               same(row->timer_source, other->timer_source);
+    }
+    if (!one)
+        sb_text_printf(text, " on %s, %s, timer %s", row->renderer ? row->renderer : "?",
+                       row->version ? row->version : "?",
+                       row->timer_source ? row->timer_source : "?");
+}
+
+json_t *sb_compare_number(double value)
+{
+    return isfinite(value) ? json_real(value) : json_null();
+}
+
+// The suite's copy is wanted for the axes that it declares; built-in ones are known without it.
+static void load_axes(const struct sb_options *options, const char *folder,
+                      struct sb_compared *compared, struct sb_arena *arena)
+{
+    struct sb_error err = {0};
+    const char *path = sb_path_join(arena, folder, SB_SUITE_COPY);
+    compared->axes = sb_axes_builtin();
+    if (!sb_file_exists(path))
+        return;
+    const struct sb_suite_params params = {
+        .path = path,
+        .data_dir = sb_data_dir(arena, options->data, &err),
+    };
+    if (sb_suite_load(&params, &compared->suite, &err))
+        compared->axes = &compared->suite.axes;
+    else
+        sb_warn("%s; only built-in axes are known", err.text);
+}
+
+static bool load(const struct sb_options *options, const char *word,
+                 struct sb_compared *compared, struct sb_arena *arena,
+                 struct sb_error *err)
+{
+    const char *folder = word;
+    if (sb_dir_exists(word)) {
+        compared->path = sb_path_join(arena, word, "summary.csv");
+        if (!sb_file_exists(compared->path))
+            return sb_fail(err, SB_BAD_INPUT,
+                           "%s: the folder has no summary.csv; a results folder of "
+                           "shadebench run is wanted",
+                           word);
+    } else if (sb_file_exists(word)) {
+        char *copy = sb_arena_strdup(arena, word);
+        char *slash = strrchr(copy, '/');
+        if (slash)
+            slash[slash == copy] = '\0';
+        folder = slash ? copy : ".";
+        compared->path = word;
+    } else {
+        return sb_fail(err, SB_BAD_INPUT,
+                       "%s: there is no such folder or file; a results folder or its "
+                       "summary.csv is wanted",
+                       word);
+    }
+    load_axes(options, folder, compared, arena);
+    return sb_rows_read(compared->path, compared->axes, &compared->rows, err);
+}
+
+// Two results folders side by side are to come: `compare A B`.
+static bool check_words(const struct sb_options *options, struct sb_error *err)
+{
+    static const char valid[] = "compare --pareto RESULTS, compare --terms RESULTS";
+    if (options->pareto && options->terms)
+        return sb_fail(err, SB_USAGE, "--pareto or --terms, not both");
+    const bool one = options->pareto || options->terms;
+    if (!one && options->word_count == 2)
+        return sb_fail(err, SB_NOT_IMPLEMENTED,
+                       "compare %s %s: comparing two runs is not implemented yet; valid: "
+                       "%s",
+                       options->word[0], options->word[1], valid);
+    if (!one)
+        return sb_fail(err, SB_USAGE, "compare what? valid: %s", valid);
+    if (options->word_count == 0)
+        return sb_fail(err, SB_USAGE,
+                       "compare %s wants a results folder or its summary.csv",
+                       options->pareto ? "--pareto" : "--terms");
+    if (options->word_count > 1)
+        return sb_fail(err, SB_USAGE, "compare %s takes one run; \"%s\" is one too many",
+                       options->pareto ? "--pareto" : "--terms", options->word[1]);
+    return true;
+}
+
+int sb_cmd_compare(const struct sb_options *options, int argc, char **argv)
+{
+    (void)argc;
+    (void)argv;
+    struct sb_error err = {0};
+    struct sb_arena arena = {0};
+    struct sb_compared compared = {0};
+    int code;
+    if (!check_words(options, &err) ||
+        !load(options, options->word[0], &compared, &arena, &err))
+        code = sb_cli_fail(&err);
+    else
+        code = options->pareto ? sb_compare_pareto(options, &compared)
+                               : sb_compare_terms(options, &compared);
+    sb_rows_free(&compared.rows);
+    sb_suite_free(&compared.suite);
+    sb_arena_free(&arena);
+    return code;
+}

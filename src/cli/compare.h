@@ -1,0 +1,30 @@
+// What the parts of `compare` share: the rows of a results folder and the axes they lie on.
+#pragma once
+
+#include "cli/common.h"
+#include "results/rows.h"
+
+struct sb_compared {
+    const char *path;      // of summary.csv
+    struct sb_suite suite; // the folder's copy; empty without one
+    const struct sb_axes *axes;
+    struct sb_rows rows;
+};
+
+// Each prints text or JSON and returns the exit code.
+int sb_compare_pareto(const struct sb_options *options, struct sb_compared *compared);
+int sb_compare_terms(const struct sb_options *options,
+                     const struct sb_compared *compared);
+
+// Does the axis print in other words in some of the rows? Moot counts as a word.
+bool sb_compare_varies(const struct sb_compared *compared, int axis);
+
+// Appends " axis=value"; nothing where the axis is moot.
+void sb_compare_add_axis(const struct sb_axes *axes, const struct sb_row *row, int axis,
+                         struct sb_text *text);
+
+// Appends the driver and its timer where the rows are of more than one.
+void sb_compare_add_driver(const struct sb_compared *compared, const struct sb_row *row,
+                           struct sb_text *text);
+
+json_t *sb_compare_number(double value); // null where it is not finite
