@@ -100,6 +100,34 @@ static void precision_lowers_each_term_alone(void **state)
         assert_int_equal(alone[axis], 1);
 }
 
+// compare --terms needs both ends, and each term changed alone from either.
+static void terms_lowers_and_raises_each_term_alone(void **state)
+{
+    (void)state;
+    load_shipped("terms.yaml");
+    enum { TERMS = SB_AXIS_P_SAMPLER - SB_AXIS_P_POSITION + 1 };
+    int rows[TERMS + 1] = {0}, lowered[TERMS] = {0}, raised[TERMS] = {0};
+    for (int i = 0; i < suite.entry_count; i++) {
+        const struct sb_variant *v = &suite.entry[i].variant;
+        int low = 0, last_low = 0, last_high = 0;
+        for (int t = 0; t < TERMS; t++) {
+            const bool is_low = v->value[SB_AXIS_P_POSITION + t] != SB_P_POSITION_HIGHP;
+            low += is_low;
+            *(is_low ? &last_low : &last_high) = t;
+        }
+        rows[low]++;
+        lowered[last_low] += low == 1;
+        raised[last_high] += low == TERMS - 1;
+        assert_true(v->value[SB_AXIS_TARGET] == SB_TARGET_RGBA32F);
+    }
+    assert_int_equal(rows[0], 1);
+    assert_int_equal(rows[TERMS], 1);
+    for (int t = 0; t < TERMS; t++) {
+        assert_int_equal(lowered[t], 1);
+        assert_int_equal(raised[t], 1);
+    }
+}
+
 static bool has_mate(int entry)
 {
     for (int i = 0; i < suite.entry_count; i++)
@@ -157,6 +185,7 @@ int main(void)
         TEST(mix_is_always_eight_lights),
         TEST(softpipe_stays_small_enough_for_an_interpreter),
         TEST(precision_lowers_each_term_alone),
+        TEST(terms_lowers_and_raises_each_term_alone),
         TEST(classes_draws_every_implementation_and_none_alone),
         TEST(classes_has_every_axis_on_every_scene_that_is_lit_alike),
     };

@@ -122,14 +122,11 @@ void sb_pareto_mark(const struct sb_pareto_params *params)
     free(ranked);
 }
 
-// Two digits at least, so that 1.04 times is not 1.0 times.
+// Three digits, so that 1.04 times is not 1.0 times.
 static void add_times(struct sb_text *text, double times)
 {
-    sb_text_printf(text,
-                   times < 2     ? "%.2f times"
-                   : times < 100 ? "%.1f times"
-                                 : "%.3g times",
-                   times);
+    const int decimals = times < 10 ? 2 : times < 100 ? 1 : 0;
+    sb_text_printf(text, times < 1e6 ? "%.*f times" : "%.*e times", decimals, times);
 }
 
 void sb_pareto_text(const struct sb_row *row, const char *id, struct sb_text *text)
@@ -146,7 +143,7 @@ void sb_pareto_text(const struct sb_row *row, const char *id, struct sb_text *te
     if (row->dominated_err == 1) {
         sb_text_add(text, "the same error)");
     } else if (isinf(row->dominated_err)) {
-        sb_text_add(text, "with an error that it has not)");
+        sb_text_add(text, "an error where that has none)");
     } else {
         add_times(text, row->dominated_err);
         sb_text_add(text, " the error)");

@@ -31,6 +31,6 @@ bool sb_pareto_keeps_apart(const struct sb_axis *axis);
 // dominator alone does not.
 void sb_pareto_mark(const struct sb_pareto_params *params);
 
-// The marks in words: `front` or `dominated by ID (1.9 times slower, 3.2 times the error)`, where
+// The marks in words: `front` or `dominated by ID (1.90 times slower, 3.21 times the error)`, where
 // `id` stands for dominated_by; appends nothing to `text` for a row that is neither.
 void sb_pareto_text(const struct sb_row *row, const char *id, struct sb_text *text);

@@ -14,9 +14,12 @@ const char *const sb_term_verdict_words[SB_TERM_VERDICT_COUNT] = {
 const char sb_term_rules[] =
     "free: lowered alone, the largest error is below 0.5/255 or within 1.1 times that of "
     "all "
-    "high, and the time's interval is not wholly above 1\n"
-    "breaks: it is neither, and above 4/255; or the picture holds NaN or infinity\n"
-    "costs: all else; unknown: an error or a time is missing where it decides\n";
+    "high,\nand the interval of its time ends at 1.05 at most and is not wholly above 1\n"
+    "breaks: that error is neither, and above 4/255; or the picture holds NaN or "
+    "infinity\n"
+    "costs: the error is between, or all of the interval is above 1; unknown: no error, "
+    "or no\n"
+    "interval that tells\n";
 
 // The word that `sets` ("p_sum=highp p_color=lowp") gives the axis called `name`, or NULL.
 static const char *word_set(const char *sets, const char *name, size_t *length)
@@ -197,10 +200,9 @@ static enum sb_term_verdict verdict_of(const struct sb_row *high,
         if (!(error <= SB_TERM_SAME_ERROR * high->max_err))
             return error > SB_TERM_LARGE_ERROR ? SB_TERM_BREAKS : SB_TERM_COSTS;
     }
-    if (isnan(lowered->time))
-        return SB_TERM_UNKNOWN;
-    const double least = isnan(lowered->time_lo) ? lowered->time : lowered->time_lo;
-    return least > 1 ? SB_TERM_COSTS : SB_TERM_FREE;
+    if (lowered->time_lo > 1)
+        return SB_TERM_COSTS;
+    return lowered->time_hi <= SB_TERM_SAME_TIME ? SB_TERM_FREE : SB_TERM_UNKNOWN;
 }
 
 static void keep_group(struct pricing *p, struct sb_term_prices *group)

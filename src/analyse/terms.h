@@ -18,7 +18,7 @@ struct sb_term_change {
 };
 
 enum sb_term_verdict {
-    SB_TERM_UNKNOWN, // not lowered alone, or without an error or a time where it decides
+    SB_TERM_UNKNOWN, // not lowered alone, no error, or no interval that decides
     SB_TERM_FREE,
     SB_TERM_COSTS,
     SB_TERM_BREAKS,
@@ -30,6 +30,8 @@ extern const char *const sb_term_verdict_words[SB_TERM_VERDICT_COUNT];
 #define SB_TERM_SAME_ERROR  1.1         // times the error of all high
 #define SB_TERM_SMALL_ERROR (0.5 / 255) // rounds to the same 8-bit step, or the next
 #define SB_TERM_LARGE_ERROR (4.0 / 255)
+#define SB_TERM_SAME_TIME                                                                \
+    1.05 // times that of all high; an interval up to it says "no slower"
 extern const char sb_term_rules[];
 
 struct sb_term_price {

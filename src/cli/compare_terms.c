@@ -153,7 +153,7 @@ static json_t *terms_json(const struct sb_compared *compared,
         }
         add_heading(compared, terms, group, &heading);
         json_array_append_new(
-            groups, json_pack("{sssssss?s?so}", "group", sb_text_get(&heading),
+            groups, json_pack("{ssssssss?ss?so}", "group", sb_text_get(&heading),
                               "high_word", group->high_word, "low_word", group->low_word,
                               "high", group->high ? group->high->variant : NULL, "low",
                               group->low ? group->low->variant : NULL, "terms", list));

@@ -1,0 +1,296 @@
+// shadebench compare, on results folders that the tests make.
+#include "cli_fixture.h"
+
+#include "results/rows.h"
+
+#define RUN "run --context null -q --rounds 20 --first-look 20 "
+
+static struct sb_rows rows;
+static struct sb_axes axes;
+
+static void read_rows(const char *name)
+{
+    char path[256];
+    struct sb_error err = {0};
+    sb_rows_free(&rows);
+    axes = *sb_axes_builtin();
+    snprintf(path, sizeof path, "%s/%s", test_dir, name);
+    if (!sb_rows_read(path, &axes, &rows, &err))
+        fail_msg("%s", err.text);
+}
+
+static void write_rows(const char *name)
+{
+    struct sb_text text = {0};
+    sb_csv_header(&text, sb_summary_columns, sb_summary_column_count, &axes);
+    for (int i = 0; i < rows.count; i++)
+        sb_csv_row(&text, sb_summary_columns, sb_summary_column_count, &axes,
+                   &rows.row[i]);
+    write_file(name, text.data);
+    sb_text_free(&text);
+}
+
+static void set_time(struct sb_row *row, double ms)
+{
+    row->median_ms = ms;
+    row->ci_lo_ms = 0.99 * ms;
+    row->ci_hi_ms = 1.01 * ms;
+    row->ci_kind = "ci95_within_run";
+    row->status = "ok";
+}
+
+static void set_error(struct sb_row *row, double error)
+{
+    row->max_err = error;
+    row->p999_err = error / 2;
+    row->flip_mean = error / 10;
+    row->nonfinite = 0;
+}
+
+// form: robust is slow and right, naive fast and wrong; normalise=off is slow and wrong.
+static void make_run(void)
+{
+    static struct answer answer;
+    if (rows.count)
+        return;
+    run_program(&answer, RUN "-o @/run --set point=2 --sweep form=robust,naive "
+                             "--sweep normalise=off");
+    if (answer.code != 0)
+        fail_msg("%s", answer.text);
+    read_rows("run/summary.csv");
+    assert_int_equal(rows.count, 3);
+    set_time(&rows.row[0], 2);
+    set_error(&rows.row[0], 1e-6);
+    set_time(&rows.row[1], 1);
+    set_error(&rows.row[1], 0.02);
+    set_time(&rows.row[2], 3);
+    set_error(&rows.row[2], 0.01);
+    write_rows("run/summary.csv");
+}
+
+static const char line_of_dominated[] =
+    "dominated by form=robust (1.50 times slower, 10000 times the error)";
+
+static void pareto_sorts_by_time_and_names_what_dominates(void **state)
+{
+    (void)state;
+    static struct answer answer;
+    make_run();
+    run_program(&answer, "compare --pareto @/run");
+    assert_int_equal(answer.code, 0);
+    const char *naive = strstr(answer.text, "on         naive"),
+               *robust = strstr(answer.text, "on         robust"),
+               *last = strstr(answer.text, line_of_dominated);
+    assert_true(naive && naive < robust && robust < last);
+    check_contains(naive, "  1.0 %");
+    check_contains(naive, "0.02      5.1   0.01  0.002");
+    check_contains(naive, "front\n");
+    check_answer("compare --pareto @/run/summary.csv", 0, line_of_dominated);
+}
+
+static void pareto_json_has_every_column_of_every_row(void **state)
+{
+    (void)state;
+    make_run();
+    json_t *json = run_json("compare --pareto @/run --json", 0);
+    const json_t *groups = json_object_get(json, "groups");
+    assert_int_equal(json_array_size(groups), 1);
+    assert_int_equal(json_array_size(json_object_get(json, "not_ranked")), 0);
+    const json_t *list = json_object_get(json_array_get(groups, 0), "rows");
+    assert_int_equal(json_array_size(list), 3);
+    const json_t *last = json_array_get(list, 2);
+    assert_int_equal(json_object_size(last), sb_summary_column_count - 1 + axes.count);
+    assert_string_equal(json_string_value(json_object_get(last, "front")), "dominated");
+    assert_string_equal(json_string_value(json_object_get(last, "dominated_by")),
+                        rows.row[0].variant);
+    check_close(json_number_value(json_object_get(last, "dominated_time")), 1.5, 1e-12);
+    check_close(json_number_value(json_object_get(last, "dominated_err")), 1e4, 1e-6);
+    json_decref(json);
+}
+
+// Another width is another question; what has no error is listed apart.
+static void groups_are_told_apart_by_what_differs_between_them(void **state)
+{
+    (void)state;
+    static struct answer answer;
+    make_run();
+    rows.variant[2].value[SB_AXIS_WIDTH] = 64;
+    rows.row[1].max_err = NAN;
+    write_rows("groups.csv");
+    run_program(&answer, "compare --pareto @/groups.csv");
+    assert_int_equal(answer.code, 0);
+    check_contains(answer.text, "\ncontainers width=256\n");
+    check_contains(answer.text, "\ncontainers width=64\n");
+    assert_null(strstr(answer.text, "dominated"));
+    check_contains(strstr(answer.text, "\nnot ranked: "), "\nbase ");
+    read_rows("run/summary.csv");
+}
+
+// A folder that lacks nothing is not measured again: its table is printed.
+static void the_table_of_run_shows_errors_and_the_front_where_there_are_any(void **state)
+{
+    (void)state;
+    static struct answer answer;
+    make_run();
+    rows.row[0].front = rows.row[1].front = "front";
+    rows.row[2].front = "dominated";
+    rows.row[2].dominated_by = rows.row[0].variant;
+    rows.row[2].dominated_time = 1.5;
+    rows.row[2].dominated_err = 1e4;
+    write_rows("run/summary.csv");
+    run_program(&answer, "run --resume @/run");
+    assert_int_equal(answer.code, 0);
+    check_contains(answer.text, "ratio  max err  p99.9   FLIP  front\n");
+    check_contains(answer.text, " 1e-06  5e-07  1e-07  front\n");
+    check_contains(answer.text, line_of_dominated);
+
+    run_program(&answer, RUN "-o @/plain --sweep point=1,2");
+    assert_null(strstr(answer.text, "max err"));
+    assert_null(strstr(answer.text, "front"));
+}
+
+static void terms_prices_the_suite_of_that_name(void **state)
+{
+    (void)state;
+    static struct answer answer;
+    run_program(&answer, RUN "terms -o @/terms");
+    if (answer.code != 0)
+        fail_msg("%s", answer.text);
+    read_rows("terms/summary.csv");
+    assert_int_equal(rows.count, 22);
+    for (int i = 0; i < rows.count; i++) {
+        const bool vector = strstr(rows.row[i].variant, "p_vector=mediump") != NULL;
+        set_time(&rows.row[i], 1 + i / 100.0);
+        rows.row[i].ratio = 1;
+        rows.row[i].ratio_lo = 0.99;
+        rows.row[i].ratio_hi = 1.01;
+        set_error(&rows.row[i], vector ? 0.05 : 2e-4);
+    }
+    write_rows("terms/summary.csv");
+    run_program(&answer, "compare --terms @/terms");
+    assert_int_equal(answer.code, 0);
+    check_contains(answer.text, "\nall highp: 1.000 ms, max error 0.0002 = 0.051/255");
+    check_contains(answer.text, "\nall mediump: 1.010 ms");
+    check_contains(answer.text, "\np_vector        1.00 [0.99, 1.01] ");
+    check_contains(strstr(answer.text, "\np_vector "), "breaks\n");
+    check_contains(strstr(answer.text, "\np_sampler "), "free\n");
+
+    json_t *json = run_json("compare --terms @/terms --json", 0);
+    const json_t *group = json_array_get(json_object_get(json, "groups"), 0), *price;
+    const json_t *list = json_object_get(group, "terms");
+    size_t i;
+    assert_string_equal(json_string_value(json_object_get(group, "low")),
+                        rows.row[1].variant);
+    assert_int_equal(json_array_size(list), 10);
+    json_array_foreach(list, i, price)
+    {
+        const char *term = json_string_value(json_object_get(price, "term"));
+        const json_t *raised = json_object_get(price, "raised");
+        check_contains(answer.text, term);
+        check_close(json_number_value(json_object_get(raised, "time")),
+                    (1.12 + (double)i / 100) / 1.01, 1e-9);
+        assert_true(json_is_false(json_object_get(raised, "paired")));
+        assert_true(
+            json_is_true(json_object_get(json_object_get(price, "lowered"), "paired")));
+    }
+    json_decref(json);
+    check_answer("compare --terms @/run", 2, "no row has one term lowered");
+}
+
+static const char own_suite[] = "suite: own\n"
+                                "axes:\n"
+                                "  - {name: knob, kind: quality, define: KNOB, min: 0, "
+                                "max: 9, init: 0, help: mine}\n"
+                                "sweep: {knob: [1, 2]}\n";
+
+// Its kind stands in the suite's copy; without that nobody knows whether it may be ranked.
+static void axes_of_a_suite_are_read_from_its_copy(void **state)
+{
+    (void)state;
+    static struct answer answer;
+    write_file("own.yaml", own_suite);
+    run_program(&answer, RUN "@/own.yaml -o @/own");
+    if (answer.code != 0)
+        fail_msg("%s", answer.text);
+    check_answer("compare --pareto @/own", 0, "knob");
+    check_answer("compare --pareto @/own/summary.csv", 0, "knob");
+    check_shell("cp @/own/summary.csv @/alone.csv", 0, "");
+    check_answer("compare --pareto @/alone.csv", 2, "no axis is called \"knob\"");
+    write_file("own/suite.yaml", "suite: [");
+    check_answer("compare --pareto @/own", 2, "only built-in axes are known");
+}
+
+static void words_that_are_wrong_are_answered_in_one_line(void **state)
+{
+    (void)state;
+    make_run();
+    check_answer("compare", 2, "compare what? valid: compare --pareto RESULTS");
+    check_answer("compare @/run", 2, "compare what?");
+    check_answer("compare @/run @/run", 2, "not implemented yet");
+    check_answer("compare --pareto", 2, "wants a results folder");
+    check_answer("compare --pareto @/run @/terms", 2, "takes one run");
+    check_answer("compare --pareto --terms @/run", 2, "not both");
+    check_answer("compare --paretto @/run", 2, "did you mean \"--pareto\"?");
+    check_answer("compare --pareto --set point=1 @/run", 2, "unknown option");
+    check_shell("exec $SB compare --terms @/nowhere 2>&1 >/dev/null | wc -l", 0, "1\n");
+    check_shell("exec $SB compare --terms @/nowhere --json 2>/dev/null | wc -c", 0,
+                "0\n");
+}
+
+static void results_that_are_none_are_answered_with_file_and_line(void **state)
+{
+    (void)state;
+    check_answer("compare --pareto @/rum", 2, "/rum: there is no such folder or file");
+    check_shell("mkdir @/bare", 0, "");
+    check_answer("compare --pareto @/bare", 2, "/bare: the folder has no summary.csv");
+    write_file("empty.csv", "");
+    check_answer("compare --pareto @/empty.csv", 2, "empty.csv: empty");
+    write_file("head.csv", "variant,scene,renderer,version,status\n");
+    check_answer("compare --terms @/head.csv", 2, "head.csv: a header and no rows");
+    write_file("less.csv", "variant,scene,renderer,version\na,b,c,d\n");
+    check_answer("compare --pareto @/less.csv", 2, "less.csv:1: no column \"status\"");
+    write_file("short.csv", "variant,scene,renderer,version,status\na,b,c\n");
+    check_answer("compare --pareto @/short.csv", 2,
+                 "short.csv:2: 3 fields; the header has 5");
+    write_file("word.csv", "variant,scene,renderer,version,status,max_err\n"
+                           "a,b,c,d,ok,much\n");
+    check_answer("compare --pareto @/word.csv", 2,
+                 "word.csv:2: line 2: max_err is \"much\", a number is wanted");
+    write_file("status.csv", "variant,scene,renderer,version,status\na,b,c,d,fine\n");
+    check_answer("compare --pareto @/status.csv", 2, "status is \"fine\"");
+    write_file("none.csv", "variant,scene,renderer,version,status\na,,c,d,ok\n");
+    check_answer("compare --pareto @/none.csv", 2, "none.csv:2: no scene");
+    write_file("axis.csv", "variant,scene,stage,renderer,version,status\n"
+                           "a,b,vretex,c,d,ok\n");
+    check_answer("compare --pareto @/axis.csv", 2, "did you mean \"vertex\"?");
+    check_answer("compare --pareto @/run/samples.csv", 2, "samples.csv:1: no column");
+}
+
+// Columns of later versions, and axes of today that a file of yesterday lacks.
+static void other_columns_than_todays_do_no_harm(void **state)
+{
+    (void)state;
+    write_file("old.csv", "variant,scene,stage,renderer,version,status,median_ms,colour\n"
+                          "stage=vertex,sphere,vertex,c,d,ok,1.5,green\n"
+                          "stage=fragment,sphere,fragment,c,d,ok,2.5,red\n");
+    check_answer("compare --pareto @/old.csv", 0, "stage=fragment      2.500");
+}
+
+int main(void)
+{
+    begin_tests();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pareto_sorts_by_time_and_names_what_dominates),
+        cmocka_unit_test(pareto_json_has_every_column_of_every_row),
+        cmocka_unit_test(groups_are_told_apart_by_what_differs_between_them),
+        cmocka_unit_test(the_table_of_run_shows_errors_and_the_front_where_there_are_any),
+        cmocka_unit_test(terms_prices_the_suite_of_that_name),
+        cmocka_unit_test(axes_of_a_suite_are_read_from_its_copy),
+        cmocka_unit_test(words_that_are_wrong_are_answered_in_one_line),
+        cmocka_unit_test(results_that_are_none_are_answered_with_file_and_line),
+        cmocka_unit_test(other_columns_than_todays_do_no_harm),
+    };
+    const int failed = run_tests(tests);
+    sb_rows_free(&rows);
+    return end_tests(failed);
+}
