@@ -197,6 +197,8 @@ static double shown_at(struct world *world, double x, double y, double z)
     const struct sb_ref_shade made = shade(world, &terms);
     const uint32_t shadow = sb_ref_decide(0, (int)(16 * terms.shown[0] + 0.5));
     assert_int_equal(made.decisions, sb_ref_decide(shadow, terms.n_dot_l[0] > 0));
+    assert_true(made.diffuse.x == terms.diffuse_weight[0]); // of white light on white
+    assert_true(made.specular.x == terms.specular_weight[0]);
     return terms.shown[0];
 }
 
@@ -232,6 +234,41 @@ static void a_lit_surface_does_not_shadow_itself(void **state)
     }
 }
 
+// Nor does a normal that lies in the surface lead into it.
+static void the_normal_of_a_lit_surface_may_lean(void **state)
+{
+    (void)state;
+    struct world world;
+    over_a_ball(&world, "point=1,shadows=1", 20);
+    world.shading.ideal = true;
+    for (int i = 0; i < 200; i++) {
+        world.input.normal = (struct sb_vec3){cos(i), 0, sin(i)};
+        assert_true(shown_at(&world, 3 + 0.01 * i, -2, 0.3) == 1);
+    }
+}
+
+static void a_place_that_is_rounded_into_the_surface_sees_grazing_light(void **state)
+{
+    (void)state;
+    struct world world;
+    over_a_ball(&world, "point=1,shadows=1", 20);
+    world.shading.ideal = true;
+    world.light[0].position[1] = -2 + 1e-6f;
+    assert_true(shown_at(&world, 5, -2 - 1e-11, 0) == 1);
+}
+
+static void what_is_behind_the_light_casts_no_shadow(void **state)
+{
+    (void)state;
+    struct world world;
+    over_a_ball(&world, "point=1,shadows=1", 20);
+    world.light[0].position[1] = -1.25f; // between ball and plane
+    for (int ideal = 0; ideal < 2; ideal++) {
+        world.shading.ideal = ideal;
+        assert_true(shown_at(&world, 0.25, -2, 0) == 1);
+    }
+}
+
 static void what_lies_beyond_the_range_is_not_lit(void **state)
 {
     (void)state;
@@ -245,16 +282,16 @@ static void what_lies_beyond_the_range_is_not_lit(void **state)
     assert_true(shown_at(&world, rim * 1.0001, -2, 0) == 1);
 }
 
-// A turn by a quarter about x and a move by whole numbers, which floats have exactly.
-static void look_from_above(struct sb_camera *camera)
+// A turn that is not its own inverse, and a move by whole numbers: floats have both exactly.
+static void look_along_x(struct sb_camera *camera)
 {
-    static const float view[16] = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 3, -2, -7, 1};
+    static const float view[16] = {0, 0, -1, 0, 1, 0, 0, 0, 0, -1, 0, 0, 3, -2, -7, 1};
     memcpy(camera->view, view, sizeof view);
 }
 
 static struct sb_vec3 turned(struct sb_vec3 v)
 {
-    return (struct sb_vec3){v.x, v.z, -v.y};
+    return (struct sb_vec3){v.y, -v.z, -v.x};
 }
 
 static void shadows_are_the_same_in_view_space(void **state)
@@ -268,7 +305,7 @@ static void shadows_are_the_same_in_view_space(void **state)
         world.shading.ideal = i % 2;
         const struct sb_vec3 at = {between(&random, -3, 3), -2, between(&random, -3, 3)};
         const double shown = shown_at(&world, at.x, at.y, at.z);
-        look_from_above(&world.scene.camera);
+        look_along_x(&world.scene.camera);
         struct sb_light seen =
             sb_light_to_view(&world.light[0], SB_LIGHT_POINT, &world.scene.camera, false);
         world.shading.view_space = true;
@@ -342,6 +379,24 @@ static void the_light_itself_is_lit_and_only_casters_cast(void **state)
     assert_true(terms[1].shown[0] == 1 && terms[1].diffuse_weight[0] == 1);
 }
 
+static void a_shadow_takes_all_but_ambient_light(void **state)
+{
+    (void)state;
+    struct world world;
+    over_a_ball(&world, "point=1,shadows=1,ambient=per_light,attenuation=none", 20);
+    put3(world.light[0].ambient, 0.5, 0.25, 1);
+    put3(world.material.ambient, 1, 1, 1);
+    world.scene.camera.eye[1] = HEIGHT; // a highlight, were there light
+    for (int ideal = 0; ideal < 2; ideal++) {
+        world.shading.ideal = ideal;
+        world.input.position = (struct sb_vec3){0, -2, 0};
+        const struct sb_ref_shade made = shade(&world, NULL);
+        assert_true(made.diffuse.x == 0.5 && made.diffuse.y == 0.25 &&
+                    made.diffuse.z == 1);
+        assert_true(made.specular.x == 0);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -355,11 +410,15 @@ int main(void)
         cmocka_unit_test(a_slope_makes_the_bias_larger_up_to_ten_times),
         cmocka_unit_test(the_ideal_shadow_ends_where_the_tangent_does),
         cmocka_unit_test(a_lit_surface_does_not_shadow_itself),
+        cmocka_unit_test(the_normal_of_a_lit_surface_may_lean),
+        cmocka_unit_test(a_place_that_is_rounded_into_the_surface_sees_grazing_light),
+        cmocka_unit_test(what_is_behind_the_light_casts_no_shadow),
         cmocka_unit_test(what_lies_beyond_the_range_is_not_lit),
         cmocka_unit_test(shadows_are_the_same_in_view_space),
         cmocka_unit_test(a_fine_map_shows_what_is_seen_but_near_the_edge),
         cmocka_unit_test(the_share_of_a_filter_counts_its_taps),
         cmocka_unit_test(the_light_itself_is_lit_and_only_casters_cast),
+        cmocka_unit_test(a_shadow_takes_all_but_ambient_light),
     };
     return run_tests(tests);
 }

@@ -54,16 +54,13 @@ static struct sb_vec3 segment_nearest_ray(struct sb_vec3 to_centre,
         return segment_nearest(to_centre, half_axis);
     const struct sb_vec3 centre_across = sb_vec3_cross(to_centre, ray);
     const struct sb_vec3 axis_across = sb_vec3_cross(half_axis, ray);
-    const double left = (1 - r) * (1 - r);
     const double centre_along = sb_vec3_dot(to_centre, ray);
     const double axis_along = sb_vec3_dot(half_axis, ray);
-    // A unit vector of doubles may be off by a few 1e-16: that is none, and 1e-32 of a
-    // segment along the ray must not say where on it the ray is nearest.
-    const double off = left < 1e-28 ? 0 : left;
+    const double left = (1 - r) * (1 - r);
     return along(
         to_centre, half_axis,
-        -(sb_vec3_dot(centre_across, axis_across) + off * centre_along * axis_along),
-        sb_vec3_dot(axis_across, axis_across) + off * axis_along * axis_along);
+        -(sb_vec3_dot(centre_across, axis_across) + left * centre_along * axis_along),
+        sb_vec3_dot(axis_across, axis_across) + left * axis_along * axis_along);
 }
 
 // --- a box along the axes of the world ------------------------------------------------------

@@ -16,15 +16,20 @@ static const int taps[SB_SHADOW_FILTER_VALUE_COUNT] = {
     [SB_SHADOW_FILTER_16] = 4,
 };
 
-// The slip of `ubo` is part of the text and so of the ideal; normalise=off is not. At vertices
-// normals are unit vectors.
+// The slip of `ubo` is part of the text and so of the ideal; normalise=off is not.
 static bool keeps_length(const struct sb_ref_shading *shading, int slips)
 {
-    const double *value = shading->variant->value;
-    if (value[SB_AXIS_STAGE] == SB_STAGE_VERTEX)
-        return false;
-    return slips == SB_SOURCE_UBO ||
-           (!shading->ideal && value[SB_AXIS_NORMALISE] == SB_NORMALISE_OFF);
+    const bool off = shading->variant->value[SB_AXIS_NORMALISE] == SB_NORMALISE_OFF;
+    return slips == SB_SOURCE_UBO || (off && !shading->ideal);
+}
+
+static void choose_shadows(const double *value, struct sb_ref_choice *choice)
+{
+    choice->taps = taps[(int)value[SB_AXIS_SHADOW_FILTER]];
+    choice->size = (int)value[SB_AXIS_SHADOW_SIZE];
+    choice->store = (int)value[SB_AXIS_SHADOW_STORE];
+    choice->bias = (float)value[SB_AXIS_SHADOW_BIAS]; // a literal of the GLSL
+    choice->bias_slopes = value[SB_AXIS_SHADOW_BIAS_KIND] == SB_SHADOW_BIAS_SLOPE;
 }
 
 struct sb_ref_choice sb_ref_choose(const struct sb_ref_shading *shading)
@@ -45,15 +50,10 @@ struct sb_ref_choice sb_ref_choose(const struct sb_ref_shading *shading)
         .makes_cone = value[SB_AXIS_HOIST] == SB_HOIST_PER_LIGHT,
         .unified = value[SB_AXIS_LAYOUT] == SB_LAYOUT_UNIFIED,
         .passes_off = value[SB_AXIS_LOOP] == SB_LOOP_PADDED,
+        .maps = maps[(int)value[SB_AXIS_MAPS]],
         .casters = (int)value[SB_AXIS_SHADOWS],
-        .taps = taps[(int)value[SB_AXIS_SHADOW_FILTER]],
-        .size = (int)value[SB_AXIS_SHADOW_SIZE],
-        .store = (int)value[SB_AXIS_SHADOW_STORE],
-        .bias = (float)value[SB_AXIS_SHADOW_BIAS], // a literal of the GLSL
-        .bias_slopes = value[SB_AXIS_SHADOW_BIAS_KIND] == SB_SHADOW_BIAS_SLOPE,
     };
-    const bool *used = maps[(int)value[SB_AXIS_MAPS]];
-    for (int i = 0; i < SB_MAP_COUNT; i++)
-        choice.maps[i] = used[i];
+    if (choice.casters > 0)
+        choose_shadows(value, &choice);
     return choice;
 }

@@ -16,10 +16,10 @@ struct sb_ref_choice {
     bool makes_cone;   // hoist=per_light: from the angles, with a unit axis
     bool unified;      // the light arrays have the members of layout=unified
     bool passes_off;   // lights of intensity 0 are passed over
-    bool maps[SB_MAP_COUNT];
-    int casters;     // the first point lights cast shadows
-    int taps;        // shadow lookups, a side of their square
-    int size, store; // of a shadow map: texels a side, value of the axis
+    const bool *maps;  // SB_MAP_COUNT: which are used
+    int casters;       // the first point lights cast shadows
+    int taps;          // shadow lookups, a side of their square
+    int size, store;   // of a shadow map: texels a side, value of the axis
     double bias;
     bool bias_slopes;
 };

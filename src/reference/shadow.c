@@ -12,12 +12,7 @@ static struct sb_vec3 place_of(const struct sb_ref_shading *shading,
     int count;
     const struct sb_light *point =
         sb_lights_of(&shading->scene->lights, SB_LIGHT_POINT, &count);
-    if (sight->caster < count)
-        return sb_ref_vec(point[sight->caster].position);
-    const float *m = shading->scene->camera.view;
-    const struct sb_vec3 moved = sb_vec3_sub(sb_ref_vec(sight->light->position),
-                                             (struct sb_vec3){m[12], m[13], m[14]});
-    return sb_ref_to_world(shading, moved);
+    return sb_ref_vec(point[sight->caster].position);
 }
 
 // --- exact visibility -----------------------------------------------------------------------
