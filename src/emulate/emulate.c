@@ -49,7 +49,7 @@ static const char *emulate_stage(const struct sb_emulate_params *params, bool fr
                         &source, err) ||
         !read_module(&source, fragment, &params->rules, scratch, &module, err))
         return NULL;
-    sb_module_round(&module, scratch, &rounding);
+    sb_module_round(&module, source.bindings, scratch, &rounding);
     *rounded += rounding.rounded;
     struct sb_text written = {0}, restored = {0};
     const char *text = NULL;

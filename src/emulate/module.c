@@ -2,7 +2,10 @@
 
 #include <string.h>
 
+#include <GLSL.std.450.h>
 #include <spirv.h>
+
+#include "emulate/operations.h"
 
 bool sb_spirv_relaxed(const uint32_t *word)
 {
@@ -10,55 +13,6 @@ bool sb_spirv_relaxed(const uint32_t *word)
             word[2] == SpvDecorationRelaxedPrecision) ||
            (sb_spirv_op(word) == SpvOpMemberDecorate &&
             word[3] == SpvDecorationRelaxedPrecision);
-}
-
-static void declare(struct sb_module *module, const uint32_t *word, enum sb_class class)
-{
-    if (sb_spirv_op(word) == SpvOpDecorate) {
-        module->id[word[1]].declared = class;
-        return;
-    }
-    for (int i = 0; i < module->members; i++)
-        if (module->member[i].structure == word[1] && module->member[i].member == word[2])
-            module->member[i].class = class;
-    if (class == SB_MEDIUMP)
-        module->member[module->members++] =
-            (struct sb_member_class){word[1], word[2], class};
-}
-
-static void declare_all(struct sb_module *module, const struct sb_spirv *spirv,
-                        enum sb_class class)
-{
-    for (size_t i = SB_SPIRV_HEAD; i < spirv->count; i += sb_spirv_length(&spirv->word[i]))
-        if (sb_spirv_relaxed(&spirv->word[i]))
-            declare(module, &spirv->word[i], class);
-}
-
-static size_t skip_relaxed(const struct sb_spirv *spirv, size_t at)
-{
-    while (at < spirv->count && sb_spirv_relaxed(&spirv->word[at]))
-        at += sb_spirv_length(&spirv->word[at]);
-    return at;
-}
-
-// glslang numbers by what it meets, so one source with other precisions has equal ids.
-static bool same_program(const struct sb_spirv *a, const struct sb_spirv *b)
-{
-    if (memcmp(a->word, b->word, SB_SPIRV_HEAD * sizeof *a->word) != 0)
-        return false;
-    size_t i = SB_SPIRV_HEAD, j = SB_SPIRV_HEAD;
-    for (;;) {
-        i = skip_relaxed(a, i);
-        j = skip_relaxed(b, j);
-        if (i >= a->count || j >= b->count)
-            return i >= a->count && j >= b->count;
-        const size_t length = sb_spirv_length(&a->word[i]);
-        if (j + length > b->count ||
-            memcmp(&a->word[i], &b->word[j], length * sizeof *a->word) != 0)
-            return false;
-        i += length;
-        j += length;
-    }
 }
 
 // Values in functions are defined as they are met; here what stands before them, and what a
@@ -110,15 +64,25 @@ static void find_called(struct sb_module *module)
     }
 }
 
-bool sb_module_read(const struct sb_spirv *spirv, const struct sb_spirv *lowp,
-                    struct sb_arena *arena, struct sb_module *module,
-                    struct sb_error *err)
+static void declare(struct sb_module *module)
+{
+    for (size_t i = SB_SPIRV_HEAD; i < module->body;
+         i += sb_spirv_length(&module->word[i])) {
+        const uint32_t *word = &module->word[i];
+        if (!sb_spirv_relaxed(word))
+            continue;
+        if (sb_spirv_op(word) == SpvOpDecorate)
+            module->id[word[1]].declared = SB_MEDIUMP;
+        else
+            module->member[module->members++] =
+                (struct sb_member_class){word[1], word[2], SB_MEDIUMP};
+    }
+}
+
+static void read_one(const struct sb_spirv *spirv, struct sb_arena *arena,
+                     struct sb_module *module)
 {
     *module = (struct sb_module){.word = spirv->word, .count = spirv->count};
-    if (lowp && !same_program(spirv, lowp))
-        return sb_fail(err, SB_INTERNAL,
-                       "the shader with highp for mediump is another program, so what is "
-                       "lowp cannot be told");
     module->bound = spirv->word[3];
     module->id = sb_arena_alloc(arena, module->bound * sizeof *module->id);
     int members = 0;
@@ -128,11 +92,101 @@ bool sb_module_read(const struct sb_spirv *spirv, const struct sb_spirv *lowp,
         members += sb_spirv_op(&spirv->word[i]) == SpvOpMemberDecorate;
     }
     module->member = sb_arena_alloc(arena, (size_t)members * sizeof *module->member);
-    declare_all(module, spirv, SB_MEDIUMP);
-    if (lowp)
-        declare_all(module, lowp, SB_LOWP);
+    declare(module);
     find_called(module);
-    return true;
+}
+
+// What has a precision in the source. glslang adds variables where precisions differ, without a
+// name or with one of these, so they and what reads and writes them are of no use here.
+static bool has_precision(const struct sb_module *module, const uint32_t *word)
+{
+    const char *name;
+    switch (sb_spirv_op(word)) {
+    case SpvOpTypeStruct:
+    case SpvOpFunction:
+    case SpvOpFunctionParameter:
+    case SpvOpFunctionCall:
+    case SpvOpCompositeExtract:
+        return true;
+    case SpvOpVariable:
+        name = module->id[word[2]].name;
+        return name && *name && strcmp(name, "param") != 0 && strcmp(name, "arg") != 0;
+    default:
+        return sb_operation_of(word, module->extensions);
+    }
+}
+
+static const uint32_t *next_with_precision(const struct sb_module *module, size_t *at)
+{
+    while (*at < module->count) {
+        const uint32_t *word = &module->word[*at];
+        *at += sb_spirv_length(word);
+        if (has_precision(module, word))
+            return word;
+    }
+    return NULL;
+}
+
+static void lower_members(struct sb_module *module, uint32_t structure,
+                          const struct sb_module *lowp, uint32_t lowp_structure)
+{
+    for (int i = 0; i < module->members; i++)
+        if (module->member[i].structure == structure &&
+            sb_module_member(lowp, lowp_structure, module->member[i].member) != SB_HIGHP)
+            module->member[i].class = SB_LOWP;
+}
+
+// What is mediump without the word in the source: integers in fragment shaders, and so what is
+// made of them (GLSL ES 3.00, 4.5.4), and some built-ins (7, 8.4).
+static bool is_mediump_unsaid(const struct sb_module *module, const uint32_t *word)
+{
+    const char *name = module->id[word[2]].name;
+    switch (sb_spirv_op(word)) {
+    case SpvOpConvertSToF:
+    case SpvOpConvertUToF:
+        return true;
+    case SpvOpExtInst:
+        return word[4] == GLSLstd450UnpackHalf2x16 ||
+               word[4] == GLSLstd450UnpackUnorm4x8 || word[4] == GLSLstd450UnpackSnorm4x8;
+    case SpvOpVariable:
+        return name && strncmp(name, "gl_", 3) == 0;
+    default:
+        return false;
+    }
+}
+
+// glslang meets both sources in the same order.
+static bool find_lowp(struct sb_module *module, const struct sb_module *lowp)
+{
+    size_t i = SB_SPIRV_HEAD, j = SB_SPIRV_HEAD;
+    for (;;) {
+        const uint32_t *a = next_with_precision(module, &i);
+        const uint32_t *b = next_with_precision(lowp, &j);
+        if (!a || !b)
+            return a == b;
+        if (sb_spirv_op(a) != sb_spirv_op(b))
+            return false;
+        if (sb_spirv_op(a) == SpvOpTypeStruct)
+            lower_members(module, a[1], lowp, b[1]);
+        else if (lowp->id[b[2]].declared != SB_HIGHP &&
+                 module->id[a[2]].declared != SB_HIGHP && !is_mediump_unsaid(module, a))
+            module->id[a[2]].declared = SB_LOWP;
+    }
+}
+
+bool sb_module_read(const struct sb_spirv *spirv, const struct sb_spirv *lowp,
+                    struct sb_arena *arena, struct sb_module *module,
+                    struct sb_error *err)
+{
+    struct sb_module relaxed;
+    read_one(spirv, arena, module);
+    if (!lowp)
+        return true;
+    read_one(lowp, arena, &relaxed);
+    return find_lowp(module, &relaxed) ||
+           sb_fail(err, SB_INTERNAL,
+                   "the shader with highp for mediump is another program, so what is "
+                   "lowp cannot be told");
 }
 
 bool sb_module_shape(const struct sb_module *module, uint32_t type, struct sb_shape *shape)

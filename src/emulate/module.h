@@ -33,7 +33,7 @@ struct sb_module {
     int members;
 };
 
-// Both modules are of one source: `lowp` of that with mediump for highp; NULL: nothing is lowp.
+// Both modules are of one source: `lowp` of that with highp for mediump; NULL: nothing is lowp.
 // Everything lives in the arena or in the modules. SB_INTERNAL where they differ in more.
 bool sb_module_read(const struct sb_spirv *spirv, const struct sb_spirv *lowp,
                     struct sb_arena *arena, struct sb_module *module,

@@ -67,7 +67,13 @@ static void name_block(struct sb_word_list *out, uint32_t id)
     sb_words_copy(out, packed, words);
 }
 
-void sb_module_rename(const struct sb_module *module, struct sb_word_list *out)
+static bool is_binding(const uint32_t *word)
+{
+    return sb_spirv_op(word) == SpvOpDecorate && word[2] == SpvDecorationBinding;
+}
+
+void sb_module_rename(const struct sb_module *module, bool bindings,
+                      struct sb_word_list *out)
 {
     sb_words_copy(out, module->word, SB_SPIRV_HEAD);
     for (size_t i = SB_SPIRV_HEAD; i < module->body;
@@ -76,7 +82,7 @@ void sb_module_rename(const struct sb_module *module, struct sb_word_list *out)
         const bool name = sb_spirv_op(word) == SpvOpName;
         if (name && unnamed_block(module, word[1]))
             name_block(out, word[1]);
-        else if (!sb_spirv_relaxed(word) &&
+        else if (!sb_spirv_relaxed(word) && (bindings || !is_binding(word)) &&
                  !(name && is_member_name(module, (const char *)&word[2])))
             sb_words_copy(out, word, sb_spirv_length(word));
     }

@@ -14,5 +14,7 @@ void sb_words_free(struct sb_word_list *list);
 
 // Appends everything up to module->body. A block without instance name gets one that begins with
 // SB_UNNAMED_BLOCK, since SPIR-V has no such blocks; no other name is that of a member of one.
+// Without `bindings`, those that glslang gave are left out.
 #define SB_UNNAMED_BLOCK "sb_unnamed_"
-void sb_module_rename(const struct sb_module *module, struct sb_word_list *out);
+void sb_module_rename(const struct sb_module *module, bool bindings,
+                      struct sb_word_list *out);

@@ -254,7 +254,7 @@ static bool is_kept_rounded(const struct pass *pass, uint32_t root)
     if (!sb_module_shape(pass->module, pointed(pass, root), &shape))
         return false;
     if (sb_spirv_op(word) == SpvOpFunctionParameter)
-        return true;
+        return pass->value[root].class != SB_LOWP; // glslang's copies count as mediump
     return sb_spirv_length(word) == 4 &&
            (word[3] == SpvStorageClassFunction || word[3] == SpvStorageClassPrivate ||
             word[3] == SpvStorageClassOutput);
@@ -398,13 +398,13 @@ static void begin(struct pass *pass, struct sb_arena *arena)
     }
 }
 
-void sb_module_round(const struct sb_module *module, struct sb_arena *arena,
-                     struct sb_rounding *rounding)
+void sb_module_round(const struct sb_module *module, bool bindings,
+                     struct sb_arena *arena, struct sb_rounding *rounding)
 {
     struct pass pass = {.module = module};
     bool called = false;
     begin(&pass, arena);
-    sb_module_rename(module, &pass.out);
+    sb_module_rename(module, bindings, &pass.out);
     for (size_t i = module->body; i < module->count;
          i += sb_spirv_length(&module->word[i])) {
         const uint32_t *word = &module->word[i];

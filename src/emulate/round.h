@@ -9,5 +9,5 @@ struct sb_rounding {
 };
 
 // The module must hold the functions of emulate/helpers.h. Names are those of emulate/rename.h.
-void sb_module_round(const struct sb_module *module, struct sb_arena *arena,
-                     struct sb_rounding *rounding);
+void sb_module_round(const struct sb_module *module, bool bindings,
+                     struct sb_arena *arena, struct sb_rounding *rounding);

@@ -75,6 +75,7 @@ static void replace_shared(const char *text, struct sb_source *read,
             continue;
         }
         sb_text_add_n(out, text, length);
+        read->bindings |= word && is_word(text, length, "binding");
         if (!word && memchr(text, ';', length))
             shared = uniform = false;
         if (word && uniform) {

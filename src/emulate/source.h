@@ -10,6 +10,7 @@ struct sb_source {
     // Blocks of layout(shared), which SPIR-V cannot say: they go through it as std140.
     const char *shared[SB_SHARED_BLOCKS];
     int shared_count;
+    bool bindings; // it says binding = somewhere
 };
 
 // SB_COMPILE_FAILED with the compiler's words, or where the version is neither 300 es nor 310 es.
