@@ -76,8 +76,8 @@ bool sb_glsl_compile(const char *source, bool fragment, struct sb_arena *arena,
     glslang_program_t *program = glslang_program_create();
     glslang_shader_set_options(shader, GLSLANG_SHADER_AUTO_MAP_BINDINGS |
                                            GLSLANG_SHADER_AUTO_MAP_LOCATIONS);
-    bool good = glslang_shader_preprocess(shader, &input) &&
-                glslang_shader_parse(shader, &input);
+    bool good =
+        glslang_shader_preprocess(shader, &input) && glslang_shader_parse(shader, &input);
     if (good) {
         glslang_program_add_shader(program, shader);
         good = link(program, input.stage, fragment, arena, spirv, err);

@@ -7,12 +7,27 @@
 #include "emulate/source.h"
 #include "emulate/write.h"
 
-// With highp for mediump: what is still relaxed then is lowp.
+// Behind the directives, which must come first.
+static const char *first_declaration(const char *text)
+{
+    for (;;) {
+        const char *line = text + strspn(text, " \t\n");
+        if (*line != '#')
+            return line;
+        text = line + strcspn(line, "\n");
+    }
+}
+
+// With highp for mediump, said or, of integers in fragment shaders, unsaid (GLSL ES 3.00, 4.5.4):
+// what is still relaxed then is lowp.
 static bool compile_lowp(const char *source, bool fragment, struct sb_arena *arena,
                          struct sb_spirv *spirv, struct sb_error *err)
 {
     struct sb_text text = {0};
-    sb_source_swap(source, "mediump", "highp", &text);
+    const char *declarations = first_declaration(source);
+    sb_text_add_n(&text, source, (size_t)(declarations - source));
+    sb_text_add(&text, "precision highp int;\n");
+    sb_source_swap(declarations, "mediump", "highp", &text);
     const bool good = sb_glsl_compile(sb_text_get(&text), fragment, arena, spirv, err);
     sb_text_free(&text);
     return good;

@@ -33,13 +33,14 @@ static const char overflow_saturate[] =
 static const char round_16_tail[] = "    return uintBitsToFloat((bits ^ a) | r);\n"
                                     "}\n";
 
-// Fixed point has no NaN and no negative zero.
+// Fixed point has no NaN, and no negative zero, which drivers that take the conversion there and
+// back for trunc() would keep.
 static const char round_10[] =
     "highp float sb_round_10(const highp float x)\n"
     "{\n"
     "    highp int steps = int(%s(clamp(x, -2.0, 1.99609375) * 256.0));\n"
     "    bool number = (floatBitsToUint(x) & 0x7fffffffu) <= 0x7f800000u;\n"
-    "    return number ? float(steps) * 0.00390625 : 0.0;\n"
+    "    return number && steps != 0 ? float(steps) * 0.00390625 : 0.0;\n"
     "}\n";
 
 // The texts below: @ stands for the suffix, $ for the type.
@@ -80,7 +81,8 @@ static const char of_vector[] =
     "    highp float s = sb_round@(1.0 - sb_round@(d * d));\n"
     "    highp float k = sb_round@(1.0 - sb_round@(sb_round@(eta * eta) * s));\n"
     "    highp float t = sb_round@(sb_round@(eta * d) + sb_round@(sqrt(k)));\n"
-    "    return k < 0.0 ? $(0.0) : sb_round@(sb_round@(eta * i) - sb_round@(t * n));\n}\n";
+    "    return k < 0.0 ? $(0.0) : sb_round@(sb_round@(eta * i) - sb_round@(t * "
+    "n));\n}\n";
 
 static const char of_any[] =
     "highp float sb_distance@(const highp $ a, const highp $ b)\n"
@@ -119,19 +121,21 @@ static void add_matrix(struct sb_text *text, const char *suffix, int c, int r)
     sb_text_printf(text, "    return mat%dx%d(", c, r);
     for (int i = 0; i < c; i++)
         sb_text_printf(text, "%ssb_round%s(m[%d])", i ? ", " : "", suffix, i);
-    sb_text_printf(text,
-                   ");\n}\n"
-                   "highp vec%d sb_mul%s(const highp mat%dx%d m, const highp vec%d v)\n{\n"
-                   "    highp vec%d s = sb_round%s(m[0] * v[0]);\n",
-                   r, suffix, c, r, c, r, suffix);
+    sb_text_printf(
+        text,
+        ");\n}\n"
+        "highp vec%d sb_mul%s(const highp mat%dx%d m, const highp vec%d v)\n{\n"
+        "    highp vec%d s = sb_round%s(m[0] * v[0]);\n",
+        r, suffix, c, r, c, r, suffix);
     for (int i = 1; i < c; i++)
         sb_text_printf(text, "    s = sb_round%s(s + sb_round%s(m[%d] * v[%d]));\n",
                        suffix, suffix, i, i);
-    sb_text_printf(text,
-                   "    return s;\n}\n"
-                   "highp vec%d sb_mul%s(const highp vec%d v, const highp mat%dx%d m)\n{\n"
-                   "    return vec%d(",
-                   c, suffix, r, c, r, c);
+    sb_text_printf(
+        text,
+        "    return s;\n}\n"
+        "highp vec%d sb_mul%s(const highp vec%d v, const highp mat%dx%d m)\n{\n"
+        "    return vec%d(",
+        c, suffix, r, c, r, c);
     for (int i = 0; i < c; i++)
         sb_text_printf(text, "%ssb_dot%s(v, m[%d])", i ? ", " : "", suffix, i);
     sb_text_add(text, ");\n}\n");

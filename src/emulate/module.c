@@ -57,7 +57,8 @@ static bool spread_calls(struct sb_module *module)
 
 static void find_called(struct sb_module *module)
 {
-    for (size_t i = SB_SPIRV_HEAD; i < module->body; i += sb_spirv_length(&module->word[i]))
+    for (size_t i = SB_SPIRV_HEAD; i < module->body;
+         i += sb_spirv_length(&module->word[i]))
         if (sb_spirv_op(&module->word[i]) == SpvOpEntryPoint)
             module->id[module->word[i + 2]].called = true;
     while (spread_calls(module)) {
@@ -136,15 +137,11 @@ static void lower_members(struct sb_module *module, uint32_t structure,
             module->member[i].class = SB_LOWP;
 }
 
-// What is mediump without the word in the source: integers in fragment shaders, and so what is
-// made of them (GLSL ES 3.00, 4.5.4), and some built-ins (7, 8.4).
-static bool is_mediump_unsaid(const struct sb_module *module, const uint32_t *word)
+// Built-ins that are mediump by the language (GLSL ES 3.00, 7.2, 8.4).
+static bool is_mediump_builtin(const struct sb_module *module, const uint32_t *word)
 {
     const char *name = module->id[word[2]].name;
     switch (sb_spirv_op(word)) {
-    case SpvOpConvertSToF:
-    case SpvOpConvertUToF:
-        return true;
     case SpvOpExtInst:
         return word[4] == GLSLstd450UnpackHalf2x16 ||
                word[4] == GLSLstd450UnpackUnorm4x8 || word[4] == GLSLstd450UnpackSnorm4x8;
@@ -169,7 +166,7 @@ static bool find_lowp(struct sb_module *module, const struct sb_module *lowp)
         if (sb_spirv_op(a) == SpvOpTypeStruct)
             lower_members(module, a[1], lowp, b[1]);
         else if (lowp->id[b[2]].declared != SB_HIGHP &&
-                 module->id[a[2]].declared != SB_HIGHP && !is_mediump_unsaid(module, a))
+                 module->id[a[2]].declared != SB_HIGHP && !is_mediump_builtin(module, a))
             module->id[a[2]].declared = SB_LOWP;
     }
 }
@@ -189,7 +186,8 @@ bool sb_module_read(const struct sb_spirv *spirv, const struct sb_spirv *lowp,
                    "lowp cannot be told");
 }
 
-bool sb_module_shape(const struct sb_module *module, uint32_t type, struct sb_shape *shape)
+bool sb_module_shape(const struct sb_module *module, uint32_t type,
+                     struct sb_shape *shape)
 {
     const uint32_t *word = &module->word[module->id[type].at];
     *shape = (struct sb_shape){1, 1};
@@ -210,7 +208,8 @@ enum sb_class sb_module_member(const struct sb_module *module, uint32_t structur
                                uint32_t member)
 {
     for (int i = 0; i < module->members; i++)
-        if (module->member[i].structure == structure && module->member[i].member == member)
+        if (module->member[i].structure == structure &&
+            module->member[i].member == member)
             return module->member[i].class;
     return SB_HIGHP;
 }

@@ -52,8 +52,8 @@ static int mangled(const struct pass *pass, uint32_t type, char *text, size_t si
     return snprintf(text, size, shape.rows > 1 ? "vf%d;" : "f%d;", shape.rows);
 }
 
-static uint32_t function_of(const struct pass *pass, const char *name, enum sb_class class,
-                            const uint32_t *type, int types)
+static uint32_t function_of(const struct pass *pass, const char *name,
+                            enum sb_class class, const uint32_t *type, int types)
 {
     char text[64];
     int length = snprintf(text, sizeof text, "%s%s(", name,
@@ -100,12 +100,11 @@ static bool is_exact(const struct sb_module *module, uint32_t id, enum sb_class 
         return false;
     memcpy(&number, &bits, sizeof number);
     if (class == SB_LOWP) // a multiple of 1/256 from -2 to below 2, and no -0
-        return bits == 0 ||
-               (number >= -2 && number < 2 && number * 256 == (float)(int)(number * 256) &&
-                number != 0);
-    return (bits & 0x7fffffff) == 0 || (number >= -65504 && number <= 65504 &&
-                                        (number >= 0x1p-14f || number <= -0x1p-14f) &&
-                                        (bits & 0x1fff) == 0);
+        return bits == 0 || (number >= -2 && number < 2 &&
+                             number * 256 == (float)(int)(number * 256) && number != 0);
+    return (bits & 0x7fffffff) == 0 ||
+           (number >= -65504 && number <= 65504 &&
+            (number >= 0x1p-14f || number <= -0x1p-14f) && (bits & 0x1fff) == 0);
 }
 
 // The value as an operand of an operation of that class.
@@ -115,8 +114,7 @@ static uint32_t operand(struct pass *pass, uint32_t id, enum sb_class class)
     if (class == SB_HIGHP || class == SB_NO_CLASS || !is_float(pass, id) ||
         (is != SB_NO_CLASS && is >= class))
         return id;
-    if (is == SB_NO_CLASS && pass->module->id[id].at &&
-        is_exact(pass->module, id, class))
+    if (is == SB_NO_CLASS && pass->module->id[id].at && is_exact(pass->module, id, class))
         return id;
     const uint32_t rounded = pass->next_id++;
     call_round(pass, pass->value[id].type, rounded, id, class);
@@ -210,8 +208,9 @@ static void operate(struct pass *pass, const uint32_t *word,
 
 // From a type along places, which are constants (ids) or literals: what the precision of the
 // member is that they lead to, else `class`.
-static enum sb_class class_at(const struct pass *pass, uint32_t type, const uint32_t *place,
-                              uint32_t places, bool literal, enum sb_class class)
+static enum sb_class class_at(const struct pass *pass, uint32_t type,
+                              const uint32_t *place, uint32_t places, bool literal,
+                              enum sb_class class)
 {
     for (uint32_t i = 0; i < places; i++) {
         const uint32_t *word = &pass->module->word[pass->module->id[type].at];
@@ -301,9 +300,9 @@ static void extract(struct pass *pass, const uint32_t *word)
         copy(pass, word);
         return;
     }
-    result->class = class_at(pass, pass->value[word[3]].type, &word[4],
-                             sb_spirv_length(word) - 4, true,
-                             pass->module->id[word[2]].declared);
+    result->class =
+        class_at(pass, pass->value[word[3]].type, &word[4], sb_spirv_length(word) - 4,
+                 true, pass->module->id[word[2]].declared);
     if (result->class == SB_HIGHP)
         copy(pass, word);
     else

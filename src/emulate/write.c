@@ -31,14 +31,13 @@ bool sb_spirv_write(const struct sb_spirv *spirv, bool gles, int version,
     const char *source = NULL;
     if (spvc_context_create(&context) != SPVC_SUCCESS)
         return sb_fail(err, SB_INTERNAL, "SPIRV-Cross gives no context");
-    const bool good =
-        spvc_context_parse_spirv(context, spirv->word, spirv->count, &ir) ==
-            SPVC_SUCCESS &&
-        spvc_context_create_compiler(context, SPVC_BACKEND_GLSL, ir,
-                                     SPVC_CAPTURE_MODE_TAKE_OWNERSHIP,
-                                     &compiler) == SPVC_SUCCESS &&
-        set_options(compiler, gles, version) &&
-        spvc_compiler_compile(compiler, &source) == SPVC_SUCCESS;
+    const bool good = spvc_context_parse_spirv(context, spirv->word, spirv->count, &ir) ==
+                          SPVC_SUCCESS &&
+                      spvc_context_create_compiler(context, SPVC_BACKEND_GLSL, ir,
+                                                   SPVC_CAPTURE_MODE_TAKE_OWNERSHIP,
+                                                   &compiler) == SPVC_SUCCESS &&
+                      set_options(compiler, gles, version) &&
+                      spvc_compiler_compile(compiler, &source) == SPVC_SUCCESS;
     if (good)
         sb_text_add(text, source);
     else

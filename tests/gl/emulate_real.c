@@ -1,0 +1,365 @@
+// Emulated reduced precision against rounding in C, and against a driver that has it: llvmpipe
+// computes mediump in binary16 in GLES contexts.
+#include "gl_test.h"
+#include "test.h"
+
+#include "emulate/emulate.h"
+#include "gl/audit.h"
+#include "gl/program.h"
+#include "math/random.h"
+
+enum { SIDE = 128, PIXELS = SIDE * SIDE };
+
+static struct gl_test test;
+static bool real_half; // of mediump in fragment shaders
+static GLuint framebuffer, renderbuffer, texture, vertex_array;
+static float input[PIXELS][4];
+static uint32_t emulated_bits[PIXELS][4], real_bits[PIXELS][4];
+
+static const char vertex_text[] =
+    "#version 300 es\n"
+    "void main() {\n"
+    "    vec2 p = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0;\n"
+    "    gl_Position = vec4(p, 0.0, 1.0);\n"
+    "}\n";
+
+static void set_up(void)
+{
+    glGenVertexArrays(1, &vertex_array);
+    glBindVertexArray(vertex_array);
+    glGenFramebuffers(1, &framebuffer);
+    glGenRenderbuffers(1, &renderbuffer);
+    glGenTextures(1, &texture);
+    glBindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32UI, SIDE, SIDE);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                              renderbuffer);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glViewport(0, 0, SIDE, SIDE);
+}
+
+static void tear_down(void)
+{
+    glDeleteVertexArrays(1, &vertex_array);
+    glDeleteFramebuffers(1, &framebuffer);
+    glDeleteRenderbuffers(1, &renderbuffer);
+    glDeleteTextures(1, &texture);
+}
+
+static void draw(const char *vertex, const char *fragment, uint32_t bits[PIXELS][4])
+{
+    struct sb_gl_program program;
+    const struct sb_program source = {.vertex = vertex, .fragment = fragment};
+    if (!sb_gl_program_make(&source, &program))
+        fail_msg("%s\n%s", program.log, fragment);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, SIDE, SIDE, 0, GL_RGBA, GL_FLOAT, input);
+    glUseProgram(program.name);
+    glUniform1i(glGetUniformLocation(program.name, "u_input"), 0);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glReadPixels(0, 0, SIDE, SIDE, GL_RGBA_INTEGER, GL_UNSIGNED_INT, bits);
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+    glUseProgram(0);
+    sb_gl_program_free(&program);
+}
+
+static void draw_emulated(const char *fragment, const struct sb_emulate_rules *rules,
+                          uint32_t bits[PIXELS][4])
+{
+    struct sb_arena arena = {0};
+    struct sb_error err = {0};
+    struct sb_emulated emulated;
+    const struct sb_emulate_params params = {
+        .vertex = vertex_text,
+        .fragment = fragment,
+        .rules = *rules,
+        .gles = test.caps.gles,
+        .version = test.caps.gles ? 300 : 330,
+    };
+    if (!sb_emulate(&params, &arena, &emulated, &err))
+        fail_msg("%s", err.text);
+    draw(emulated.vertex, emulated.fragment, bits);
+    sb_arena_free(&arena);
+}
+
+// o_bits of a fragment that has t, four inputs.
+static const char *fragment_of(const char *body)
+{
+    static char text[2048];
+    snprintf(text, sizeof text,
+             "#version 300 es\nprecision highp float;\nprecision highp int;\n"
+             "uniform highp sampler2D u_input;\n"
+             "out highp uvec4 o_bits;\n"
+             "void main() {\n"
+             "    highp vec4 t = texelFetch(u_input, ivec2(gl_FragCoord.xy), 0);\n"
+             "%s}\n",
+             body);
+    return text;
+}
+
+// --- rounding in C, by arithmetic instead of bits ---
+
+static double round_half(double x, const struct sb_emulate_rules *rules)
+{
+    if (isnan(x))
+        return x;
+    const double largest = 65504;
+    if (isinf(x))
+        return rules->saturate ? copysign(largest, x) : x;
+    int exponent;
+    frexp(x, &exponent); // |x| < 2^exponent
+    const int place = (exponent > -13 ? exponent : -13) - 11;
+    const double steps = ldexp(x, -place);
+    double rounded = ldexp(rules->towards_zero ? trunc(steps) : nearbyint(steps), place);
+    if (fabs(rounded) > largest)
+        rounded = rules->saturate || rules->towards_zero ? copysign(largest, x)
+                                                         : copysign(INFINITY, x);
+    if (rules->flush && fabs(rounded) < 0x1p-14)
+        rounded = 0;
+    return copysign(rounded, x);
+}
+
+static double round_fixed(double x, const struct sb_emulate_rules *rules)
+{
+    if (isnan(x))
+        return 0;
+    const double bounded = fmin(fmax(x, -2), 2 - 1.0 / 256);
+    return (rules->towards_zero ? trunc(bounded * 256) : nearbyint(bounded * 256)) / 256 +
+           0.0;
+}
+
+static uint32_t bits_of(double x)
+{
+    const float narrow = (float)x;
+    uint32_t bits;
+    memcpy(&bits, &narrow, sizeof bits);
+    return bits;
+}
+
+static float float_of(uint32_t bits)
+{
+    float x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+static bool same(uint32_t a, uint32_t b)
+{
+    return a == b || (isnan(float_of(a)) && isnan(float_of(b)));
+}
+
+// --- inputs ---
+
+static uint32_t draw_bits(struct sb_random *random)
+{
+    return (uint32_t)sb_random_u64(random);
+}
+
+// Any binary32 that is no subnormal, which drivers may flush; half of them where binary16 changes:
+// at its ties, next to them, around its ends.
+static float any_float(struct sb_random *random)
+{
+    const uint32_t bits = draw_bits(random), how = draw_bits(random) % 4;
+    float x = float_of(bits);
+    if (how == 0) // 2^-27 to 2^18
+        x = float_of((bits & 0x80000000) | (100 + bits % 46) << 23 |
+                     (draw_bits(random) & 0x7fffff));
+    if (how == 1) // ties of binary16 and their neighbours
+        x = float_of((bits & 0x80000000) + ((100 + bits % 46) << 23) +
+                     ((draw_bits(random) & 0x7ff) << 12) + draw_bits(random) % 3 - 1);
+    if (how == 2) // the range of fixed point and its surroundings
+        x = (float)((int)(bits % 4096) - 2048) / 512;
+    return fpclassify(x) == FP_SUBNORMAL ? 0 : x;
+}
+
+static float any_half(struct sb_random *random)
+{
+    const uint32_t bits = draw_bits(random);
+    // One in four over the whole range, with subnormals; the others from 2^-6 to 2^6.
+    const int exponent =
+        bits & 3 ? (int)(bits >> 8) % 12 - 6 : (int)(bits >> 8) % 31 - 15;
+    const double sign = bits & 4 ? -1 : 1, fraction = (draw_bits(random) & 1023) / 1024.0;
+    const bool subnormal = exponent == -15;
+    return (float)(sign * ldexp(fraction + !subnormal, subnormal ? -14 : exponent));
+}
+
+static void fill_input(float (*any)(struct sb_random *random))
+{
+    struct sb_random random = sb_random_seed(16);
+    for (int i = 0; i < PIXELS; i++)
+        for (int c = 0; c < 4; c++)
+            input[i][c] = any(&random);
+}
+
+// --- the rounding rules ---
+
+static void check_rounding(const struct sb_emulate_rules *rules)
+{
+    draw_emulated(fragment_of("    mediump float m = t.x;\n"
+                              "    mediump vec2 v = t.yz;\n"
+                              "    lowp float l = t.w;\n"
+                              "    highp vec4 wide = vec4(m, v, l);\n"
+                              "    o_bits = floatBitsToUint(wide);\n"),
+                  rules, emulated_bits);
+    for (int i = 0; i < PIXELS; i++)
+        for (int c = 0; c < 4; c++) {
+            const bool fixed = c == 3 && rules->lowp == SB_LOWP_FIXED10;
+            const float x = input[i][c];
+            const uint32_t wanted =
+                bits_of(fixed ? round_fixed(x, rules) : round_half(x, rules));
+            if (!same(emulated_bits[i][c], wanted))
+                fail_msg(
+                    "%a becomes %a, not %a (fixed %d, saturate %d, flush %d, towards "
+                    "zero %d)",
+                    x, float_of(emulated_bits[i][c]), float_of(wanted), fixed,
+                    rules->saturate, rules->flush, rules->towards_zero);
+        }
+}
+
+static void every_rule_rounds_as_it_says(void **state)
+{
+    (void)state;
+    fill_input(any_float);
+    for (int rule = 0; rule < 16; rule++)
+        check_rounding(&(struct sb_emulate_rules){
+            .lowp = rule & 1 ? SB_LOWP_FIXED10 : SB_LOWP_AS_MEDIUMP,
+            .saturate = rule & 2,
+            .flush = rule & 4,
+            .towards_zero = rule & 8,
+        });
+}
+
+static void operations_are_those_of_binary16(void **state)
+{
+    (void)state;
+    const struct sb_emulate_rules rules = {0};
+    fill_input(any_half);
+    draw_emulated(fragment_of("    mediump vec4 m = t;\n"
+                              "    mediump float sum = (m.x + m.y) * m.z - m.w;\n"
+                              "    mediump float d = dot(m.xyz, m.yzw);\n"
+                              "    mediump float big = m.x * m.y;\n"
+                              "    mediump float mixed = mix(m.x, m.y, 0.25);\n"
+                              "    highp vec4 wide = vec4(sum, d, big, mixed);\n"
+                              "    o_bits = floatBitsToUint(wide);\n"),
+                  &rules, emulated_bits);
+    for (int i = 0; i < PIXELS; i++) {
+#define R(x) round_half(x, &rules)
+        const float *m = input[i];
+        const double wanted[4] = {
+            R(R(R((double)m[0] + m[1]) * m[2]) - m[3]),
+            R(R(R((double)m[0] * m[1]) + R((double)m[1] * m[2])) +
+              R((double)m[2] * m[3])),
+            R((double)m[0] * m[1]),
+            R(R(m[0] * 0.75) + R(m[1] * 0.25)),
+        };
+#undef R
+        for (int c = 0; c < 4; c++)
+            if (!same(emulated_bits[i][c], bits_of(wanted[c])))
+                fail_msg("%d of %a %a %a %a: %a, not %a", c, m[0], m[1], m[2], m[3],
+                         float_of(emulated_bits[i][c]), wanted[c]);
+    }
+}
+
+// --- against a driver ---
+
+// Of the others the share that differs is printed. Two operations at least: Mesa does a single one
+// between highp values in highp. It sums dot products, and computes mix, smoothstep, cross and
+// inversesqrt, in another order than the formulas of the specification.
+static const struct chain {
+    const char *text; // of the mediump floats a, b, c, d
+    bool exact;       // IEEE 754 and GLSL leave no choice
+} chains[] = {
+    {"(a + b) + c", true},
+    {"(a - b) - c", true},
+    {"(a * b) * c", true},
+    {"(a + b) * c", true},
+    {"(a * b) + c", true},
+    {"(a - b) * c + d", true},
+    {"(a + b) / c", true},
+    {"(a / b) / c", true},
+    {"(a / b) * c - d", true},
+    {"sqrt(abs(a * b)) + c", true},
+    {"sqrt(abs(a)) * sqrt(abs(b)) * c", true},
+    {"max(a * b, c) + min(a, b + d)", true},
+    {"(a + b) * (c + d)", true},
+    {"a * b", false},
+    {"a / b", false},
+    {"dot(vec3(a, b, c), vec3(d, a, b)) + c", false},
+    {"inversesqrt(abs(a * b)) + c", false},
+    {"exp2(a * 0.125) * b", false},
+    {"log2(abs(a * b)) * c", false},
+    {"pow(abs(a), b * 0.25) * c", false},
+    {"sin(a) * b", false},
+    {"mix(a, b, c) + d", false},
+    {"smoothstep(-2.0, 2.0, a) * b", false},
+    {"length(vec3(a, b, c)) + d", false},
+    {"normalize(vec3(a, b, c)).x * d", false},
+    {"reflect(vec2(a, b), vec2(c, d)).x + a", false},
+    {"cross(vec3(a, b, c), vec3(d, a, b)).x + c", false},
+    {"mod(a, b) + c", false},
+    {"(a * 0.1 + b) + c", false},
+};
+
+static int count_different(const struct chain *chain)
+{
+    char body[512];
+    const struct sb_emulate_rules rules = {0};
+    snprintf(body, sizeof body,
+             "    mediump float a = t.x, b = t.y, c = t.z, d = t.w;\n"
+             "    mediump float r = %s;\n"
+             "    highp float wide = r;\n"
+             "    o_bits = uvec4(floatBitsToUint(wide));\n",
+             chain->text);
+    const char *fragment = fragment_of(body);
+    draw(vertex_text, fragment, real_bits);
+    draw_emulated(fragment, &rules, emulated_bits);
+    int different = 0;
+    for (int i = 0; i < PIXELS; i++)
+        different += !same(real_bits[i][0], emulated_bits[i][0]);
+    return different;
+}
+
+static void chains_of_exact_operations_are_bit_equal_to_real_half_floats(void **state)
+{
+    (void)state;
+    if (!real_half)
+        skip();
+    fill_input(any_half);
+    int broken = 0;
+    for (size_t i = 0; i < sizeof chains / sizeof *chains; i++) {
+        const int different = count_different(&chains[i]);
+        print_message("%7.3f %% differ: %s\n", 100.0 * different / PIXELS,
+                      chains[i].text);
+        broken += chains[i].exact && different > 0;
+    }
+    assert_int_equal(broken, 0);
+}
+
+static bool has_real_half(void)
+{
+    struct sb_error err = {0};
+    struct sb_probe probe;
+    struct sb_precision_verdict verdict;
+    if (!test.caps.gles || !sb_gl_probe_precision(&test.caps, &probe, &err))
+        return false;
+    sb_precision_judge(&probe.reading[1], &verdict);
+    return verdict.effective == SB_EFFECTIVE_FP16;
+}
+
+int main(void)
+{
+    static const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_rule_rounds_as_it_says),
+        cmocka_unit_test(operations_are_those_of_binary16),
+        cmocka_unit_test(chains_of_exact_operations_are_bit_equal_to_real_half_floats),
+    };
+    gl_test_open(&test);
+    real_half = has_real_half();
+    set_up();
+    const int failed = run_tests(tests);
+    tear_down();
+    gl_test_close(&test);
+    return failed;
+}
