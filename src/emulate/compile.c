@@ -33,8 +33,8 @@ static glslang_input_t input_of(const char *source, bool fragment, bool spirv)
     };
 }
 
-char *sb_glsl_preprocess(const char *source, bool fragment, struct sb_arena *arena,
-                         struct sb_error *err)
+char *sb_source_preprocess(const char *source, bool fragment, struct sb_arena *arena,
+                           struct sb_error *err)
 {
     // Counted by glslang and never undone: its tables of built-ins, which take longer to make
     // than a program to compile, would go with the last user.
@@ -67,8 +67,8 @@ static bool link(glslang_program_t *program, glslang_stage_t stage, bool fragmen
     return true;
 }
 
-bool sb_glsl_compile(const char *source, bool fragment, struct sb_arena *arena,
-                     struct sb_spirv *spirv, struct sb_error *err)
+bool sb_spirv_compile(const char *source, bool fragment, struct sb_arena *arena,
+                      struct sb_spirv *spirv, struct sb_error *err)
 {
     glslang_initialize_process();
     const glslang_input_t input = input_of(source, fragment, true);

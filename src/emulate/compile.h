@@ -13,10 +13,10 @@ struct sb_spirv {
 
 // The text of a vertex or fragment shader without macros and comments, each line where it was.
 // NULL: SB_COMPILE_FAILED.
-char *sb_glsl_preprocess(const char *source, bool fragment, struct sb_arena *arena,
-                         struct sb_error *err);
+char *sb_source_preprocess(const char *source, bool fragment, struct sb_arena *arena,
+                           struct sb_error *err);
 
 // Of a preprocessed text of GLSL ES 3.10. Functions that nothing calls are kept; uniforms and
 // interface variables have a location or binding only where the text gives one.
-bool sb_glsl_compile(const char *source, bool fragment, struct sb_arena *arena,
-                     struct sb_spirv *spirv, struct sb_error *err);
+bool sb_spirv_compile(const char *source, bool fragment, struct sb_arena *arena,
+                      struct sb_spirv *spirv, struct sb_error *err);

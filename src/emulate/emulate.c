@@ -28,7 +28,7 @@ static bool compile_lowp(const char *source, bool fragment, struct sb_arena *are
     sb_text_add_n(&text, source, (size_t)(declarations - source));
     sb_text_add(&text, "precision highp int;\n");
     sb_source_swap(declarations, "mediump", "highp", &text);
-    const bool good = sb_glsl_compile(sb_text_get(&text), fragment, arena, spirv, err);
+    const bool good = sb_spirv_compile(sb_text_get(&text), fragment, arena, spirv, err);
     sb_text_free(&text);
     return good;
 }
@@ -45,7 +45,7 @@ static bool read_module(const struct sb_source *source, bool fragment,
     sb_emulate_helpers(rules, &text);
     const char *whole = sb_text_get(&text);
     const bool good =
-        sb_glsl_compile(whole, fragment, arena, &spirv, err) &&
+        sb_spirv_compile(whole, fragment, arena, &spirv, err) &&
         (!with_lowp || compile_lowp(whole, fragment, arena, &lowp, err)) &&
         sb_module_read(&spirv, with_lowp ? &lowp : NULL, arena, module, err);
     sb_text_free(&text);

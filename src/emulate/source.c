@@ -92,7 +92,7 @@ bool sb_source_read(const char *source, bool fragment, struct sb_arena *arena,
 {
     struct sb_text text = {0};
     *read = (struct sb_source){0};
-    const char *plain = sb_glsl_preprocess(source, fragment, arena, err);
+    const char *plain = sb_source_preprocess(source, fragment, arena, err);
     const char *rest = plain ? raise_version(plain, &text, err) : NULL;
     if (rest) {
         replace_shared(rest, read, arena, &text);

@@ -3,6 +3,7 @@
 #include "gl_test.h"
 #include "test.h"
 
+#include "assemble_words.h"
 #include "emulate/emulate.h"
 #include "gl/audit.h"
 #include "gl/program.h"
@@ -337,6 +338,84 @@ static void chains_of_exact_operations_are_bit_equal_to_real_half_floats(void **
     assert_int_equal(broken, 0);
 }
 
+// --- names ---
+
+static void emulate_words(const char *words, struct sb_gl_program *program)
+{
+    struct sb_assembly assembly;
+    struct sb_arena arena = {0};
+    struct sb_error err = {0};
+    struct sb_emulated emulated;
+    assemble(words, &assembly);
+    const struct sb_emulate_params params = {
+        .vertex = shade_of(&assembly, VERTEX)->text,
+        .fragment = shade_of(&assembly, FRAGMENT)->text,
+        .gles = test.caps.gles,
+        .version = test.caps.gles ? 300 : 330,
+    };
+    if (!sb_emulate(&params, &arena, &emulated, &err))
+        fail_msg("%s", err.text);
+    const struct sb_program source = {.vertex = emulated.vertex,
+                                      .fragment = emulated.fragment};
+    if (!sb_gl_program_make(&source, program))
+        fail_msg("%s\n%s", program->log, emulated.fragment);
+    sb_arena_free(&arena);
+    sb_assembly_free(&assembly);
+}
+
+static void uniforms_and_attributes_are_found_by_their_names(void **state)
+{
+    (void)state;
+    static const char *const uniforms[] = {
+        "u_model",
+        "u_view_projection",
+        "u_normal_matrix",
+        "u_scene_ambient",
+        "u_camera_position",
+        "u_point[0].position",
+        "u_point[3].diffuse",
+        "u_spot[1].direction",
+        "u_material.shininess",
+        "u_diffuse_map",
+    };
+    struct sb_gl_program program;
+    emulate_words("api=gles glsl=300es precision=mediump point=4 spot=2 maps=diffuse",
+                  &program);
+    for (size_t i = 0; i < sizeof uniforms / sizeof *uniforms; i++)
+        if (glGetUniformLocation(program.name, uniforms[i]) < 0)
+            fail_msg("no uniform %s", uniforms[i]);
+    assert_int_equal(glGetAttribLocation(program.name, "a_position"), 0);
+    assert_int_equal(glGetAttribLocation(program.name, "a_normal"), 1);
+    assert_int_equal(glGetAttribLocation(program.name, "a_uv"), 2);
+    sb_gl_program_free(&program);
+}
+
+static void members_of_blocks_are_found_by_their_names(void **state)
+{
+    (void)state;
+    static const char *const storages[] = {"ubo_std140", "ubo_shared"};
+    const char *const names[] = {"u_point[1].position", "u_spot[0].cone_scale",
+                                 "u_material.shininess"};
+    for (int s = 0; s < 2; s++) {
+        char words[128];
+        struct sb_gl_program program;
+        GLuint index[3];
+        snprintf(words, sizeof words,
+                 "api=gles glsl=300es precision=mediump point=2 spot=1 storage=%s",
+                 storages[s]);
+        emulate_words(words, &program);
+        assert_int_not_equal(glGetUniformBlockIndex(program.name, "Lights"),
+                             GL_INVALID_INDEX);
+        assert_int_not_equal(glGetUniformBlockIndex(program.name, "MaterialBlock"),
+                             GL_INVALID_INDEX);
+        glGetUniformIndices(program.name, 3, names, index);
+        for (int i = 0; i < 3; i++)
+            if (index[i] == GL_INVALID_INDEX)
+                fail_msg("no member %s with %s", names[i], storages[s]);
+        sb_gl_program_free(&program);
+    }
+}
+
 static bool has_real_half(void)
 {
     struct sb_error err = {0};
@@ -353,6 +432,8 @@ int main(void)
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_rule_rounds_as_it_says),
         cmocka_unit_test(operations_are_those_of_binary16),
+        cmocka_unit_test(uniforms_and_attributes_are_found_by_their_names),
+        cmocka_unit_test(members_of_blocks_are_found_by_their_names),
         cmocka_unit_test(chains_of_exact_operations_are_bit_equal_to_real_half_floats),
     };
     gl_test_open(&test);
