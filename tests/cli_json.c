@@ -123,10 +123,17 @@ static void probe_holds_caps_timers_and_precision(void **state)
     assert_string_equal(json_string_value(json_object_get(timer, "timer")), "scripted");
     assert_true(json_is_true(json_object_get(timer, "chosen")));
     const json_t *precision = json_object_get(json, "precision");
-    assert_int_equal(json_array_size(precision), 6);
-    for (size_t i = 0; i < 6; i++) {
+    // Five carriers, of which the vertex stage has four, at three precisions.
+    assert_int_equal(json_array_size(precision), 3 * (5 + 4));
+    for (size_t i = 0; i < json_array_size(precision); i++) {
+        static const char *const words[] = {"stage", "carrier", "precision", "verdict"};
         const json_t *one = json_array_get(precision, i);
-        check_contains(answer.text, json_string_value(json_object_get(one, "verdict")));
+        for (size_t k = 0; k < sizeof words / sizeof *words; k++)
+            check_contains(answer.text,
+                           json_string_value(json_object_get(one, words[k])));
+        assert_string_equal(json_string_value(json_object_get(one, "effective")), "fp32");
+        const json_t *reading = json_object_get(one, "reading");
+        check_close(json_number_value(json_object_get(reading, "add")), 2050, 0);
     }
     json_decref(json);
 }

@@ -79,19 +79,52 @@ void sb_platform_record(const struct sb_caps *caps, struct sb_variant *variant)
         variant->value[SB_AXIS_CONTEXT] = value;
 }
 
+// What each term stands on. A varying is what both stages declare, and maps are looked up for
+// each fragment, wherever the lighting is evaluated.
+static const struct {
+    int axis;
+    enum sb_carrier carrier;
+    bool follows; // the stage that lights; else the fragment stage
+} terms[SB_PRECISION_TERMS] = {
+    {SB_AXIS_P_POSITION, SB_CARRIER_ARITHMETIC, true},
+    {SB_AXIS_P_VECTOR, SB_CARRIER_ARITHMETIC, true},
+    {SB_AXIS_P_ATTENUATION, SB_CARRIER_ARITHMETIC, true},
+    {SB_AXIS_P_SPECULAR, SB_CARRIER_ARITHMETIC, true},
+    {SB_AXIS_P_COLOR, SB_CARRIER_ARITHMETIC, true},
+    {SB_AXIS_P_SUM, SB_CARRIER_ARITHMETIC, true},
+    {SB_AXIS_P_OUTPUT, SB_CARRIER_OUTPUT, false},
+    {SB_AXIS_P_VARYING, SB_CARRIER_VARYING, false},
+    {SB_AXIS_P_UNIFORM, SB_CARRIER_UNIFORM, true},
+    {SB_AXIS_P_SAMPLER, SB_CARRIER_SAMPLER, false},
+};
+
 struct sb_asked_precision sb_platform_precision(const struct sb_variant *variant)
 {
+    static const enum sb_emulation emulations[] = {
+        [SB_EMULATE_NONE] = SB_EMULATED_NOT,
+        [SB_EMULATE_FP16] = SB_EMULATED_FP16,
+        [SB_EMULATE_FIXED10] = SB_EMULATED_FIXED10,
+    };
     const double *value = variant->value;
     struct sb_asked_precision asked = {
         .vertex_stage = value[SB_AXIS_STAGE] == SB_STAGE_VERTEX,
-        .uniform = true,
-        .lowest = (int)value[SB_AXIS_P_POSITION],
+        .emulation = emulations[(int)value[SB_AXIS_EMULATE]],
     };
-    // The terms stand together in the table, each with highp, mediump, lowp in this order.
-    for (int a = SB_AXIS_P_POSITION + 1; a <= SB_AXIS_P_SAMPLER; a++) {
-        asked.uniform &= value[a] == value[a - 1];
-        if ((int)value[a] > asked.lowest)
-            asked.lowest = (int)value[a];
+    for (int i = 0; i < SB_PRECISION_TERMS; i++) {
+        struct sb_asked_term *term = &asked.term[i];
+        // Each of these axes has highp, mediump, lowp in this order.
+        const int precision = (int)value[terms[i].axis];
+        *term = (struct sb_asked_term){
+            .name = sb_axes_builtin()->row[terms[i].axis].name,
+            .precision = precision,
+            .declared = precision,
+            .vertex_stage = terms[i].follows && asked.vertex_stage,
+            .carrier = terms[i].carrier,
+        };
+        if (terms[i].axis == SB_AXIS_P_OUTPUT && value[SB_AXIS_GLSL] == SB_GLSL_100)
+            term->declared = 1;
+        if (precision > asked.lowest)
+            asked.lowest = precision;
     }
     return asked;
 }

@@ -14,11 +14,24 @@ bool sb_platform_apply(const struct sb_suite *suite, struct sb_context_params *p
 // Writes what was found back into the variant, so that results name the context, not "auto".
 void sb_platform_record(const struct sb_caps *caps, struct sb_variant *variant);
 
-// The stage that lights, the lowest precision that any term of it asks for (0 highp, 1
-// mediump, 2 lowp), and whether all terms ask for the same.
+// What a variant asks of precision, term by term, in the order of the axes.
+enum { SB_PRECISION_TERMS = 10 };
 struct sb_asked_precision {
-    bool vertex_stage, uniform;
-    int lowest;
+    bool vertex_stage; // that lights
+    int lowest;        // 0 highp, 1 mediump, 2 lowp: that any term asks for
+    enum sb_emulation {
+        SB_EMULATED_NOT,
+        SB_EMULATED_FP16,   // mediump and lowp are binary16
+        SB_EMULATED_FIXED10 // and lowp is 10-bit fixed point
+    } emulation;
+    struct sb_asked_term {
+        const char *name; // of the axis: "p_vector"
+        int precision;    // that it asks for …
+        int declared; // … and that stands in the program: GLSL ES 1.00 has no qualifier for
+                      // the output, which is mediump there (7.2)
+        bool vertex_stage;       // where the term is probed: in this stage …
+        enum sb_carrier carrier; // … and on this carrier
+    } term[SB_PRECISION_TERMS];
 };
 struct sb_asked_precision sb_platform_precision(const struct sb_variant *variant);
 

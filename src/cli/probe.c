@@ -1,6 +1,7 @@
 // shadebench probe: what this driver is, and which of its answers can be believed.
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "base/file.h"
 #include "cli/common.h"
@@ -38,20 +39,37 @@ static void print_timers(const struct sb_driver *driver)
     sb_table_free(&table);
 }
 
+static bool same_finding(const struct sb_driver *driver, int i, int k)
+{
+    const struct sb_precision_reading *reading = driver->probe.reading;
+    return reading[i].vertex_stage == reading[k].vertex_stage &&
+           reading[i].carrier == reading[k].carrier &&
+           strcmp(driver->verdict[i].text, driver->verdict[k].text) == 0;
+}
+
+// Precisions of one carrier that come to the same share a row.
 static void print_precision(const struct sb_driver *driver)
 {
-    static const char *const words[] = {"highp", "mediump", "lowp"};
     struct sb_table *table = sb_table_new();
+    struct sb_text names = {0};
     sb_table_column(table, "stage", false);
+    sb_table_column(table, "carrier", false);
     sb_table_column(table, "precision", false);
     sb_table_column(table, "effective", false);
-    for (int i = 0; i < driver->probe.count; i++) {
+    for (int i = 0; i < driver->probe.count;) {
         const struct sb_precision_reading *reading = &driver->probe.reading[i];
+        const int first = i;
+        sb_text_clear(&names);
+        for (; i < driver->probe.count && same_finding(driver, first, i); i++)
+            sb_text_printf(&names, "%s%s", i > first ? ", " : "",
+                           sb_precision_names[driver->probe.reading[i].precision]);
         sb_table_cell(table, reading->vertex_stage ? "vertex" : "fragment");
-        sb_table_cell(table, words[reading->precision]);
-        sb_table_cell(table, driver->verdict[i].text);
+        sb_table_cell(table, sb_carriers[reading->carrier].name);
+        sb_table_cell(table, sb_text_get(&names));
+        sb_table_cell(table, driver->verdict[first].text);
     }
     sb_table_print(table);
+    sb_text_free(&names);
     sb_table_free(&table);
 }
 
@@ -72,7 +90,7 @@ static void print_driver(const struct sb_driver *driver)
                             : "no float targets");
     printf("Timers, against the wall clock of drained batches of synthetic loads:\n");
     print_timers(driver);
-    printf("\nPrecision qualifiers, by chained operations:\n");
+    printf("\nPrecision qualifiers, by chained operations and by values carried:\n");
     print_precision(driver);
     printf("\nNested conditionals in a loop: %d of %d compile and draw right.\n",
            driver->probe.nesting, SB_NESTING_ASKED);

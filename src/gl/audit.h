@@ -12,8 +12,8 @@
 bool sb_gl_audit_read(const struct sb_caps *caps, struct sb_audit *audit,
                       struct sb_error *err);
 
-// Overwrites *probe: highp, mediump and lowp of the fragment stage, then of the vertex
-// stage.
+// Overwrites *probe: all of sb_precision_questions, but for the output where there are no float
+// targets.
 bool sb_gl_probe_precision(const struct sb_caps *caps, struct sb_probe *probe,
                            struct sb_error *err);
 

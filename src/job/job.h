@@ -139,8 +139,9 @@ struct sb_image_request {
     int off_first, off_count;
 };
 
-struct sb_probe {                           // what a driver makes of shaders
-    struct sb_precision_reading reading[6]; // fragment highp mediump lowp, then vertex
+struct sb_probe { // what a driver makes of shaders
+    struct sb_precision_reading reading[SB_PRECISION_MAX]; // in the order of
+                                                           // sb_precision_questions
     int count;
     int nesting; // conditionals nested in a loop that it compiles and draws right: a power of
                  // two, up to SB_NESTING_ASKED; 0: none

@@ -105,18 +105,15 @@ static bool null_probe(void *self, struct sb_probe *probe, struct sb_error *err)
 {
     (void)err;
     note(self, "probe", 0);
-    *probe = (struct sb_probe){.count = 6, .nesting = SB_NESTING_ASKED};
-    for (int i = 0; i < 6; i++)
-        probe->reading[i] = (struct sb_precision_reading){
-            .vertex_stage = i >= 3,
-            .precision = i % 3,
-            .add = 2050,
-            .square = 256,
-            .tiny = 1,
-            .round = 1.5f / 2048,
-            .nan_left = 1,
-            .nan_right = 1,
-        };
+    *probe = (struct sb_probe){.nesting = SB_NESTING_ASKED};
+    probe->count = sb_precision_questions(probe->reading);
+    for (int i = 0; i < probe->count; i++) {
+        struct sb_precision_reading *reading = &probe->reading[i];
+        reading->add = 2050;
+        reading->square = 256;
+        reading->tiny = 1;
+        reading->round = 1.5f / 2048;
+    }
     return true;
 }
 

@@ -111,11 +111,15 @@ void sb_driver_close(struct sb_driver *driver)
 }
 
 const struct sb_precision_verdict *sb_driver_precision(const struct sb_driver *driver,
-                                                       bool vertex_stage, int precision)
+                                                       bool vertex_stage,
+                                                       enum sb_carrier carrier,
+                                                       int precision)
 {
-    for (int i = 0; i < driver->probe.count; i++)
-        if (driver->probe.reading[i].vertex_stage == vertex_stage &&
-            driver->probe.reading[i].precision == precision)
+    for (int i = 0; i < driver->probe.count; i++) {
+        const struct sb_precision_reading *reading = &driver->probe.reading[i];
+        if (reading->vertex_stage == vertex_stage && reading->carrier == carrier &&
+            reading->precision == precision)
             return &driver->verdict[i];
+    }
     return NULL;
 }

@@ -17,7 +17,7 @@ struct sb_driver {
     struct sb_audit audit;
     int timer; // place in audit.source
     struct sb_probe probe;
-    struct sb_precision_verdict verdict[6]; // of each reading of the probe
+    struct sb_precision_verdict verdict[SB_PRECISION_MAX]; // of each reading
 };
 
 // How far a credible timer's reading of a long batch may be from the wall clock.
@@ -42,6 +42,9 @@ bool sb_driver_probe(struct sb_driver *driver, struct sb_error *err);
 bool sb_driver_examine(const struct sb_driver_params *params, struct sb_driver *driver,
                        struct sb_error *err);
 
-// What a stage does with a precision (0 highp, 1 mediump, 2 lowp); NULL where not probed.
+// What a stage makes of a carrier at a precision (0 highp, 1 mediump, 2 lowp); NULL where not
+// probed.
 const struct sb_precision_verdict *sb_driver_precision(const struct sb_driver *driver,
-                                                       bool vertex_stage, int precision);
+                                                       bool vertex_stage,
+                                                       enum sb_carrier carrier,
+                                                       int precision);

@@ -41,17 +41,51 @@ json_t *sb_audit_json(const struct sb_driver *driver)
     return list;
 }
 
+// JSON has neither infinities nor NaN.
+static json_t *number_json(float x)
+{
+    return isfinite(x) ? json_real(x)
+           : isnan(x)  ? json_string("nan")
+           : x > 0     ? json_string("inf")
+                       : json_string("-inf");
+}
+
+static json_t *reading_json(const struct sb_precision_reading *reading)
+{
+    json_t *object = json_object();
+    const bool chain = reading->carrier == SB_CARRIER_ARITHMETIC;
+    json_object_set_new(object, "add", number_json(reading->add));
+    json_object_set_new(object, "square", number_json(reading->square));
+    json_object_set_new(object, "tiny", number_json(reading->tiny));
+    json_object_set_new(object, "round", number_json(reading->round));
+    if (chain) {
+        json_object_set_new(object, "lone", number_json(reading->lone));
+        json_object_set_new(object, "nan_left", number_json(reading->nan_left));
+        json_object_set_new(object, "nan_right", number_json(reading->nan_right));
+        json_object_set_new(object, "pow_zero", number_json(reading->pow_zero));
+    } else if (!isnan(reading->used)) {
+        json_object_set_new(object, "used", number_json(reading->used));
+    }
+    return object;
+}
+
 json_t *sb_precision_json(const struct sb_driver *driver)
 {
-    static const char *const words[] = {"highp", "mediump", "lowp"};
     json_t *list = json_array();
     for (int i = 0; i < driver->probe.count; i++) {
         const struct sb_precision_reading *reading = &driver->probe.reading[i];
+        const struct sb_precision_verdict *verdict = &driver->verdict[i];
         json_t *object = json_object();
         json_object_set_new(object, "stage",
                             json_string(reading->vertex_stage ? "vertex" : "fragment"));
-        json_object_set_new(object, "precision", json_string(words[reading->precision]));
-        json_object_set_new(object, "verdict", json_string(driver->verdict[i].text));
+        json_object_set_new(object, "carrier",
+                            json_string(sb_carriers[reading->carrier].name));
+        json_object_set_new(object, "precision",
+                            json_string(sb_precision_names[reading->precision]));
+        json_object_set_new(object, "effective",
+                            json_string(sb_effective_names[verdict->effective]));
+        json_object_set_new(object, "verdict", json_string(verdict->text));
+        json_object_set_new(object, "reading", reading_json(reading));
         json_array_append_new(list, object);
     }
     return list;

@@ -5,6 +5,7 @@
 
 #include "assemble/platform.h"
 #include "measure/accuracy.h"
+#include "measure/precision.h"
 #include "measure/rounds.h"
 #include "measure/summary.h"
 #include "stats/between.h"
@@ -223,22 +224,12 @@ static void fill_work(const struct sb_task *task, struct sb_row *row,
     row->batch = task->batch ? task->batch : SB_NO_COUNT;
 }
 
-static const char *effective_precision(const struct sb_driver *driver,
-                                       const struct sb_variant *variant)
+static void fill_precision(const struct sb_driver *driver, struct sb_row *row,
+                           struct sb_arena *arena)
 {
-    static const char *const words[] = {
-        [SB_EFFECTIVE_FP32] = "fp32",
-        [SB_EFFECTIVE_FP16] = "fp16",
-        [SB_EFFECTIVE_OTHER] = "other",
-    };
-    const struct sb_asked_precision asked = sb_platform_precision(variant);
-    const struct sb_precision_verdict *verdict =
-        sb_driver_precision(driver, asked.vertex_stage, asked.lowest);
-    if (!verdict || verdict->effective == SB_EFFECTIVE_UNKNOWN)
-        return NULL;
-    if (verdict->effective == SB_EFFECTIVE_FP16 && !asked.uniform)
-        return "fp16 in the lowered terms";
-    return words[verdict->effective];
+    const struct sb_asked_precision asked = sb_platform_precision(row->axes);
+    row->precision_requested = sb_precision_requested(&asked, arena);
+    row->precision_effective = sb_precision_effective(&asked, driver, arena);
 }
 
 static void fill_status(const struct sb_task *task, struct sb_row *row)
@@ -333,7 +324,7 @@ void sb_summarise(const struct sb_summary_params *params, struct sb_row *row,
         row[i].version = driver->caps.version;
         row[i].timer_source = timer->name;
         row[i].timer_error = fmax(timer->error, params->timer_error);
-        row[i].precision_effective = effective_precision(driver, row[i].axes);
+        fill_precision(driver, &row[i], arena);
         fill_work(task, &row[i], arena);
         sb_accuracy_fill(task, &row[i]);
         if (task->sample_count)

@@ -82,21 +82,54 @@ enum sb_effective {
     SB_EFFECTIVE_FP16,
     SB_EFFECTIVE_OTHER
 };
+extern const char *const sb_effective_names[]; // "unknown", "fp32", "fp16", "other"
 
-// Results of chained operations on uniforms, in one stage at one declared precision
-// (docs/method.md has the table; two operations at least, since drivers fold single ones).
+// What a precision qualifier stands on, each probed by itself.
+enum sb_carrier {
+    SB_CARRIER_ARITHMETIC, // operations on local variables
+    SB_CARRIER_UNIFORM,
+    SB_CARRIER_VARYING, // fragment stage: declared so in both stages; vertex stage: in this
+                        // one alone
+    SB_CARRIER_SAMPLER, // what a lookup in a float texture returns
+    SB_CARRIER_OUTPUT,  // of the fragment shader, to a float target
+    SB_CARRIER_COUNT
+};
+
+struct sb_carrier_row {
+    const char *name;
+    bool vertex; // the vertex stage has it, as the fragment stage has all
+};
+extern const struct sb_carrier_row sb_carriers[SB_CARRIER_COUNT];
+
+enum { SB_PRECISION_COUNT = 3, SB_PRECISION_MAX = 2 * SB_CARRIER_COUNT * 3 };
+extern const char *const sb_precision_names[SB_PRECISION_COUNT]; // "highp" …
+
+// What one stage made of one carrier at one declared precision.
+//
+// Arithmetic: results of chained operations on uniforms (docs/method.md has the table; two
+// operations at least, since drivers fold single ones). The others carry one value each from
+// where it is single precision to where it is computed with at highp; the rest of the sum
+// named here is done by the reader, so that the same four numbers answer the same questions.
 struct sb_precision_reading {
     bool vertex_stage;
+    enum sb_carrier carrier;
     int precision; // 0 highp 1 mediump 2 lowp
-    float add;     // (a+b)+b, a = 2048, b = 1:              2050 fp32, 2048 fp16
-    float square;  // (a*a)/a, a = 256:                      256 fp32, inf fp16
-    float tiny;    // ((2^-14*2^-6)*2^10)*2^10:              1 kept, 0 flushed (fp16)
-    float
-        round; // (a+b)*c-a, 1, 1.5*2^-11, 1:            1.5*2^-11 fp32; RNE 2^-10; RTZ 0
+    float add;     // (2048+1)+1, or 2 * carried 2049 - 2048:  2050 fp32, 2048 fp16
+    float square;  // (256*256)/256, carried 65536 / 256:      256 fp32; inf, 255.875 fp16
+    float tiny;    // ((2^-14*2^-6)*2^10)*2^10, carried 2^-20 * 2^20: 1 kept, 0 flushed
+    float round;   // (1+b)*1-1, carried 1+b - 1, b = 1.5*2^-11: b fp32; RNE 2^-10; RTZ 0
+    // NAN where not asked. Arithmetic:
+    float lone;      // 2048+1, alone between highp: 2049 where folded, else 2048 at fp16
     float nan_left;  // max(0/0, 1)
     float nan_right; // max(1, 0/0)
     float pow_zero;  // pow(0, 0)
+    // Uniform, sampler, and varying where the stage that reads declares it so:
+    float used; // (carried 2049-1024)-1024 at the carrier's precision: 1 kept, 0 rounded
 };
+
+// Fills stage, carrier and precision of all that there is to ask, at most SB_PRECISION_MAX:
+// the fragment stage first, carriers in the order above. The rest is NAN. Returns the count.
+int sb_precision_questions(struct sb_precision_reading *reading);
 
 struct sb_precision_verdict {
     enum sb_effective effective; // OTHER: a mixture of the two, or neither; UNKNOWN is
@@ -104,8 +137,11 @@ struct sb_precision_verdict {
     bool overflow_inf;           // else saturates (fp16 only)
     bool subnormals;             // kept (fp16 only)
     bool round_nearest;          // else towards zero (fp16 only)
-    char text[160]; // "honoured as fp16 (overflow to inf, subnormals kept, round to
-                    // nearest even)", "ignored: fp32", "partly: …"
+    bool lone_folded;    // arithmetic of fp16: a lone operation between highp is at fp32
+    bool rounded_in_use; // carried at fp32, and rounded when computed with at fp16
+    // "honoured as fp16 (overflow to inf, subnormals kept, round to nearest even)",
+    // "ignored: fp32", "partly: …"
+    char text[160];
 };
 void sb_precision_judge(const struct sb_precision_reading *reading,
                         struct sb_precision_verdict *verdict);
