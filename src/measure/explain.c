@@ -12,9 +12,9 @@
 #define FLOOR_cone            1
 #define FLOOR_shown           1
 #define FLOOR_n_dot_l         1
-#define FLOOR_specular        0x1p-4
-#define FLOOR_diffuse_weight  0x1p-4
-#define FLOOR_specular_weight 0x1p-4
+#define FLOOR_specular        1
+#define FLOOR_diffuse_weight  1
+#define FLOOR_specular_weight 1
 
 const struct sb_term_row sb_term_rows[SB_TERM_COUNT] = {
 #define TERM(name, components, place, help)                                              \
@@ -242,13 +242,21 @@ static void take_colours(struct sb_explanation *explanation)
     }
 }
 
+// Significant bits of the least precise format that a term of the lighting is computed in.
 static int effective_bits(const struct sb_explain_params *params)
 {
     const struct sb_asked_precision asked =
         sb_platform_precision(&params->task->assembly.job.variant);
-    const struct sb_precision_verdict *verdict =
-        sb_driver_precision(params->driver, asked.vertex_stage, asked.lowest);
-    return verdict && verdict->effective == SB_EFFECTIVE_FP16 ? 11 : 24;
+    for (int i = 0; i < SB_PRECISION_TERMS; i++) {
+        const struct sb_asked_term *term = &asked.term[i];
+        const struct sb_precision_verdict *verdict = sb_driver_precision(
+            params->driver, term->vertex_stage, term->carrier, term->declared);
+        if (term->declared > 0 &&
+            (asked.emulation != SB_EMULATED_NOT ||
+             (verdict && verdict->effective == SB_EFFECTIVE_FP16)))
+            return 11;
+    }
+    return 24;
 }
 
 // The displayed colour, and with it the size of the picture.
@@ -271,8 +279,8 @@ static bool read_own(struct source *source, struct sb_explanation *explanation,
     sb_image_free(&image);
     return inside ||
            sb_fail(err, SB_BAD_INPUT,
-                   "pixel %d,%d: the picture has %d x %d pixels, counted from 0,0 "
-                   "at the lower left",
+                   "pixel %d,%d: the picture has %d x %d pixels, counted from 0,0 at the "
+                   "lower left",
                    params->x, params->y, width, height);
 }
 
