@@ -26,7 +26,7 @@ struct sb_emulate_params {
 
 struct sb_emulated {
     const char *vertex, *fragment; // in the arena that was given
-    int rounded;                   // operations whose results are rounded, both stages
+    int rounded; // operations, reads and writes whose values are rounded, in both stages
 };
 
 // Names of attributes, uniforms, blocks and outputs stay as they are. SB_COMPILE_FAILED with the
