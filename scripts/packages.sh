@@ -2,7 +2,8 @@
 # installation. One list a purpose.
 
 packages_build="gcc libc6-dev cmake ninja-build pkg-config libyaml-dev libjansson-dev
-    libpng-dev glslang-dev libspirv-cross-c-shared-dev python3-glad libegl-dev libosmesa6-dev libglfw3-dev"
+    libpng-dev glslang-dev libspirv-cross-c-shared-dev python3-glad libegl-dev libosmesa6-dev
+    libglfw3-dev"
 packages_run="libegl1 libgl1-mesa-dri libosmesa6 libglfw3 mesa-vulkan-drivers glslang-tools"
 packages_test="libcmocka-dev libmpfr-dev clang-format clang-tidy xvfb xauth"
 
