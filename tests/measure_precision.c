@@ -44,7 +44,11 @@ static void make_driver(struct sb_driver *driver, unsigned honoured)
     }
 }
 
-enum { NOWHERE = 0, EVERYWHERE = ~0u, IN_ARITHMETIC = 1u << SB_CARRIER_ARITHMETIC };
+enum {
+    NOWHERE = 0,
+    EVERYWHERE = (1 << SB_CARRIER_COUNT) - 1,
+    IN_ARITHMETIC = 1 << SB_CARRIER_ARITHMETIC
+};
 
 static const char *effective(const struct sb_asked_precision *asked, unsigned honoured)
 {
@@ -97,6 +101,17 @@ static void carriers_that_a_driver_ignores_are_named(void **state)
         "fp16 but p_output fp32, p_varying fp32, p_uniform fp32, p_sampler fp32");
     assert_string_equal(effective(&asked, EVERYWHERE & ~(1u << SB_CARRIER_UNIFORM)),
                         "fp16 but p_uniform fp32");
+}
+
+static void of_words_that_are_as_common_the_first_leads(void **state)
+{
+    (void)state;
+    struct sb_asked_precision asked = asked_all(0);
+    for (int i = 5; i < SB_PRECISION_TERMS; i++)
+        ask(&asked, i, 1);
+    assert_string_equal(effective(&asked, EVERYWHERE),
+                        "fp32 but p_sum fp16, p_output fp16, p_varying fp16, "
+                        "p_uniform fp16, p_sampler fp16");
 }
 
 static void each_stage_has_its_own_verdict(void **state)
@@ -176,6 +191,7 @@ int main(void)
         cmocka_unit_test(one_precision_for_all_is_one_word),
         cmocka_unit_test(terms_that_differ_are_named_in_the_order_of_the_axes),
         cmocka_unit_test(carriers_that_a_driver_ignores_are_named),
+        cmocka_unit_test(of_words_that_are_as_common_the_first_leads),
         cmocka_unit_test(each_stage_has_its_own_verdict),
         cmocka_unit_test(what_was_not_probed_or_is_no_format_is_called_that),
         cmocka_unit_test(what_the_program_declares_decides_not_what_was_asked_for),
