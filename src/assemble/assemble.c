@@ -5,6 +5,7 @@
 
 #include "assemble/decide.h"
 #include "assemble/defines.h"
+#include "assemble/emulated.h"
 #include "assemble/fixed_lights.h"
 #include "assemble/light_structs.h"
 #include "assemble/platform.h"
@@ -60,23 +61,56 @@ static bool is_asked(const struct sb_variant *variant, enum sb_role role, int st
     }
 }
 
-static bool build_all(struct sb_glsl_params *glsl, struct sb_defines *defines, bool probe,
-                      struct sb_assembly *assembly, struct sb_error *err)
+// What all programs of a variant are built from.
+struct building {
+    struct sb_glsl_params glsl;
+    struct sb_defines defines;
+    const struct sb_glsl_version *version; // the context's
+    struct sb_assembly *assembly;
+};
+
+// Only what lights has terms of reduced precision.
+static bool emulates(const struct sb_variant *variant, enum sb_role role)
 {
+    return sb_is_emulated(variant) && (role == SB_ROLE_SHADE || role == SB_ROLE_PROBE);
+}
+
+static bool build_program(struct building *building, enum sb_role role,
+                          struct sb_error *err)
+{
+    struct sb_assembly *assembly = building->assembly;
+    const struct sb_variant *variant = &assembly->job.variant;
+    struct sb_glsl_source *source = assembly->source[role];
+    const bool emulated = emulates(variant, role);
+    const struct sb_glsl_version *version =
+        emulated ? sb_emulated_source_version(variant) : building->version;
+    sb_defines_probe(&building->defines, role == SB_ROLE_PROBE);
+    sb_defines_family(&building->defines, version->family);
+    building->glsl.version = version->text;
+    for (int stage = 0; stage < STAGES; stage++) {
+        if (!is_asked(variant, role, stage))
+            continue;
+        building->glsl.file = sb_arena_printf(&assembly->arena, "%s.%s", file_stems[role],
+                                              stage_names[stage]);
+        if (!sb_glsl_build(&building->glsl, &source[stage], err))
+            return false;
+    }
+    return !emulated || sb_emulate_sources(variant, building->version, &source[VERTEX],
+                                           &source[FRAGMENT], err);
+}
+
+static bool build_all(struct building *building, bool probe, struct sb_error *err)
+{
+    struct sb_assembly *assembly = building->assembly;
     const bool es100 = assembly->job.variant.value[SB_AXIS_GLSL] == SB_GLSL_100;
     const int roles = probe && !es100 ? SB_ROLE_COUNT : SB_ROLE_PROBE;
     assembly->source_hash = SB_HASH_START;
     for (int role = 0; role < roles; role++) {
-        sb_defines_probe(defines, role == SB_ROLE_PROBE);
+        if (!build_program(building, (enum sb_role)role, err))
+            return false;
         for (int stage = 0; stage < STAGES; stage++) {
-            struct sb_glsl_source *source = &assembly->source[role][stage];
-            if (!is_asked(&assembly->job.variant, (enum sb_role)role, stage))
-                continue;
-            glsl->file = sb_arena_printf(&assembly->arena, "%s.%s", file_stems[role],
-                                         stage_names[stage]);
-            if (!sb_glsl_build(glsl, source, err))
-                return false;
-            if (role != SB_ROLE_PROBE)
+            const struct sb_glsl_source *source = &assembly->source[role][stage];
+            if (role != SB_ROLE_PROBE && source->text)
                 assembly->source_hash =
                     sb_hash(assembly->source_hash, &source->hash, sizeof source->hash);
         }
@@ -106,10 +140,11 @@ static bool build(const struct sb_assemble_params *params,
 {
     const struct sb_variant *variant = &assembly->job.variant;
     struct sb_arena *arena = &assembly->arena;
-    struct sb_defines defines = {.arena = arena};
+    struct building building = {
+        .defines = {.arena = arena}, .version = version, .assembly = assembly};
     struct sb_text structs = {0}, arrays = {0}, lights = {0};
     bool good = false;
-    if (!sb_defines_make(&defines, params->axes, variant, version->family, err))
+    if (!sb_defines_make(&building.defines, params->axes, variant, version->family, err))
         goto done;
     if (assembly->lights_fixed && !sb_fixed_lights(params->scene, variant, &lights, err))
         goto done;
@@ -120,16 +155,15 @@ static bool build(const struct sb_assemble_params *params,
         {SB_LIGHT_ARRAYS_FILE, sb_text_get(&arrays)},
         {SB_FIXED_LIGHTS_FILE, sb_text_get(&lights)},
     };
-    struct sb_glsl_params glsl = {
+    building.glsl = (struct sb_glsl_params){
         .root = params->shaders ? params->shaders
                                 : sb_path_join(arena, params->data_dir, "shaders"),
-        .version = version->text,
-        .define = defines.row,
-        .define_count = defines.count,
+        .define = building.defines.row,
+        .define_count = building.defines.count,
         .given = given,
         .given_count = sizeof given / sizeof *given,
     };
-    good = build_all(&glsl, &defines, params->probe, assembly, err);
+    good = build_all(&building, params->probe, err);
 
 done:
     sb_text_free(&lights);

@@ -13,6 +13,14 @@ static const struct sb_glsl_version versions[] = {
 };
 enum { VERSION_COUNT = sizeof versions / sizeof *versions };
 
+const struct sb_glsl_version *sb_glsl_version_of(int value)
+{
+    for (int i = 0; i < VERSION_COUNT; i++)
+        if (versions[i].value == value)
+            return &versions[i];
+    return NULL;
+}
+
 // ES versions on desktop GL need ARB_ES3_compatibility, and there their qualifiers are not
 // honoured: a second way to the numbers of 330, under a misleading name.
 static bool takes(const struct sb_caps *caps, const struct sb_glsl_version *version)

@@ -11,6 +11,9 @@ struct sb_glsl_version { // one value of the glsl axis
     const char *family; // GLSL_FAMILY, and a file in shaders/version/
 };
 
+// The row of a value of the glsl axis; NULL for auto.
+const struct sb_glsl_version *sb_glsl_version_of(int value);
+
 // Decides glsl=auto and writes the value into the variant; NULL with SB_BAD_INPUT, which
 // names the valid words, where the context cannot take the version.
 const struct sb_glsl_version *sb_decide_version(const struct sb_axes *axes,

@@ -176,10 +176,20 @@ bool sb_defines_make(struct sb_defines *defines, const struct sb_axes *axes,
            add_lights(defines, variant, err) && add_axes(defines, axes, variant, err);
 }
 
-void sb_defines_probe(struct sb_defines *defines, bool on)
+static void set(struct sb_defines *defines, const char *name, const char *value)
 {
     int row = 0;
-    while (strcmp(defines->row[row].name, "PROBE") != 0)
+    while (strcmp(defines->row[row].name, name) != 0)
         row++;
-    defines->row[row].value = on ? "on" : "off";
+    defines->row[row].value = value;
+}
+
+void sb_defines_probe(struct sb_defines *defines, bool on)
+{
+    set(defines, "PROBE", on ? "on" : "off");
+}
+
+void sb_defines_family(struct sb_defines *defines, const char *family)
+{
+    set(defines, "GLSL_FAMILY", family);
 }

@@ -24,3 +24,6 @@ bool sb_defines_make(struct sb_defines *defines, const struct sb_axes *axes,
 
 // PROBE is `off` after sb_defines_make; `on`: in the program of role "probe".
 void sb_defines_probe(struct sb_defines *defines, bool on);
+
+// Another GLSL_FAMILY than that of sb_defines_make.
+void sb_defines_family(struct sb_defines *defines, const char *family);

@@ -251,9 +251,8 @@ static int effective_bits(const struct sb_explain_params *params)
         const struct sb_asked_term *term = &asked.term[i];
         const struct sb_precision_verdict *verdict = sb_driver_precision(
             params->driver, term->vertex_stage, term->carrier, term->declared);
-        if (term->declared > 0 &&
-            (asked.emulation != SB_EMULATED_NOT ||
-             (verdict && verdict->effective == SB_EFFECTIVE_FP16)))
+        if (term->declared > 0 && (asked.emulation != SB_EMULATED_NOT ||
+                                   (verdict && verdict->effective == SB_EFFECTIVE_FP16)))
             return 11;
     }
     return 24;

@@ -18,7 +18,11 @@ static double arithmetic_error(const struct one_params *params)
                     accuracy->split.part[SB_BY_ARITHMETIC].y,
                     accuracy->term ? accuracy->term : "none",
                     sb_text_get(&one.task.note));
-    if (getenv("SHOW")) print_error("   interp %g raw %ld %ld cmp %ld mis %ld flips %ld\n", accuracy->split.part[1].max, (long)accuracy->split.raw_nonfinite, (long)accuracy->split.raw_negative, (long)accuracy->split.compared, (long)accuracy->split.mismatched, (long)accuracy->split.flips);
+    if (getenv("SHOW"))
+        print_error("   interp %g raw %ld %ld cmp %ld mis %ld flips %ld\n",
+                    accuracy->split.part[1].max, (long)accuracy->split.raw_nonfinite,
+                    (long)accuracy->split.raw_negative, (long)accuracy->split.compared,
+                    (long)accuracy->split.mismatched, (long)accuracy->split.flips);
     // Little is left out.
     assert_true(accuracy->split.compared > 9 * accuracy->split.mismatched);
     one_free(&one);
