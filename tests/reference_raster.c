@@ -333,6 +333,19 @@ static void what_lies_on_the_far_plane_or_before_the_near_one_is_not_seen(void *
     }
 }
 
+static void a_tilted_triangle_is_cut_at_both_planes(void **state)
+{
+    (void)state;
+    const float corner[3][3] = {{-3, -3, -6}, {3, -3, 0}, {0, 5, 5}}; // z = x + y
+    int count[SIZE * SIZE] = {0};
+    count_alone(corner, identity, count);
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        const int sum = i % SIZE + i / SIZE + 1 - SIZE; // x + y in pixels
+        if (abs(sum) != SIZE / 2)                       // on a plane
+            assert_int_equal(count[i], abs(sum) < SIZE / 2);
+    }
+}
+
 // --- threads ---------------------------------------------------------------------------
 
 static void the_number_of_threads_changes_nothing(void **state)
@@ -367,6 +380,7 @@ int main(void)
         cmocka_unit_test(of_two_draws_at_one_depth_the_first_stays),
         cmocka_unit_test(the_order_of_draws_changes_nothing_where_depths_differ),
         cmocka_unit_test(what_lies_on_the_far_plane_or_before_the_near_one_is_not_seen),
+        cmocka_unit_test(a_tilted_triangle_is_cut_at_both_planes),
         cmocka_unit_test(the_number_of_threads_changes_nothing),
     };
     return run_tests(tests);

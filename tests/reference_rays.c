@@ -232,6 +232,43 @@ static void nothing_leaks_through_edges_and_corners(void **state)
     sb_arena_free(&arena);
 }
 
+// Where it runs from the origin along `axis`, through three corners and two sides of a triangle
+// that faces it; zeros of both signs.
+static void check_outline(int axis)
+{
+    static const double outline[][2] = {{0, 0.25}, {0.25, 0}, {0, 0}, {1, 0}, {0, 1}};
+    float corner[3][3] = {{0}};
+    for (int i = 0; i < 3; i++)
+        corner[i][axis] = 2;
+    corner[1][(axis + 1) % 3] = corner[2][(axis + 2) % 3] = 1;
+    struct sb_arena arena = {0};
+    const struct sb_mesh mesh = soup(&arena, (const float(*)[3])corner, 1);
+    struct sb_scene scene = scene_of(&mesh, 1);
+    struct sb_ref_geometry *geometry = sb_ref_geometry_new(&scene, 16, 16);
+    sb_ref_geometry_rays(geometry);
+    for (size_t i = 0; i < 2 * (sizeof outline / sizeof *outline); i++) {
+        const double zero = i % 2 == 0 ? 0.0 : -0.0;
+        double from[3] = {0}, way[3] = {zero, zero, zero};
+        from[(axis + 1) % 3] = outline[i / 2][0];
+        from[(axis + 2) % 3] = outline[i / 2][1];
+        way[axis] = 1;
+        const struct sb_ref_ray ray = {.origin = {from[0], from[1], from[2]},
+                                       .direction = {way[0], way[1], way[2]},
+                                       .far = INFINITY};
+        assert_true(sb_ref_geometry_hit(geometry, &ray) == 2);
+    }
+    sb_ref_geometry_free(&geometry);
+    sb_scene_free(&scene);
+    sb_arena_free(&arena);
+}
+
+static void a_ray_in_the_side_of_a_box_is_in_the_box(void **state)
+{
+    (void)state;
+    for (int axis = 0; axis < 3; axis++)
+        check_outline(axis);
+}
+
 static void both_sides_of_a_triangle_stop_rays_and_the_limits_count(void **state)
 {
     (void)state;
@@ -268,6 +305,7 @@ int main(void)
         cmocka_unit_test(a_scene_of_nothing_stops_no_ray),
         cmocka_unit_test(lamps_stop_no_ray),
         cmocka_unit_test(nothing_leaks_through_edges_and_corners),
+        cmocka_unit_test(a_ray_in_the_side_of_a_box_is_in_the_box),
         cmocka_unit_test(both_sides_of_a_triangle_stop_rays_and_the_limits_count),
     };
     return run_tests(tests);

@@ -190,6 +190,39 @@ static void triangles_come_closer_to_the_truth_the_smaller_they_are(void **state
     assert_true(before < 1e-3);
 }
 
+// A triangle on one side of the seam may stand for a point on the other.
+static void u_goes_on_across_the_seam(void **state)
+{
+    (void)state;
+    struct world world = {0};
+    struct sb_mesh mesh = sb_mesh_sphere(&world.arena, 4, 40);
+    mesh.sphere = true;
+    struct sb_scene scene = scene_of(&mesh, 1);
+    look_from(&scene, (struct sb_vec3){1.2, 0.3, -1.6}, (struct sb_vec3){0});
+    open_world(&world, scene);
+    int across = 0;
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        const struct sb_ref_cover at = world.cover[i];
+        struct sb_ref_input in;
+        if (at.draw < 0)
+            continue;
+        assert_true(sb_ref_geometry_truth(world.geometry, at, i % WIDTH, i / WIDTH, &in));
+        double mean = 0;
+        for (int k = 0; k < 3; k++)
+            mean += mesh.vertex[mesh.index[3 * at.triangle + k]].uv[0] / 3;
+        assert_true(fabs(in.uv[0] - mean) <= 0.5);
+        // u = 1/2 faces +z.
+        const double turn = 2 * SB_PI * (in.uv[0] - 0.5);
+        const double ring = hypot(in.position.x, in.position.z);
+        check_close(sin(turn) * ring, in.position.x, 1e-12);
+        check_close(cos(turn) * ring, in.position.z, 1e-12);
+        check_close(sin(SB_PI * (in.uv[1] - 0.5)), in.position.y, 1e-12);
+        across += in.uv[0] < 0 || in.uv[0] > 1;
+    }
+    assert_true(across > 3);
+    close_world(&world);
+}
+
 static void the_truth_of_other_meshes_is_their_triangles(void **state)
 {
     (void)state;
@@ -225,24 +258,28 @@ static void a_ray_beside_the_sphere_has_no_truth(void **state)
     close_world(&world);
 }
 
-static void from_inside_the_truth_is_the_far_side(void **state)
+// From inside, and from outside so close that the near plane cuts a cap off.
+static void where_the_near_plane_cuts_the_truth_is_the_far_side(void **state)
 {
     (void)state;
-    struct world world = {0};
-    struct sb_mesh mesh = sb_mesh_sphere(&world.arena, 20, 40);
-    mesh.sphere = true;
-    struct sb_scene scene = scene_of(&mesh, 1);
-    look_from(&scene, (struct sb_vec3){0, 0, 0.5}, (struct sb_vec3){0});
-    open_world(&world, scene);
-    for (int i = 0; i < WIDTH * HEIGHT; i++) {
-        struct sb_ref_input in;
-        assert_int_equal(world.cover[i].draw, 0);
-        assert_true(sb_ref_geometry_truth(world.geometry, world.cover[i], i % WIDTH,
-                                          i / WIDTH, &in));
-        assert_true(in.position.z < 0.4); // the eye's near plane
-        check_close(sb_vec3_length(in.position), 1, 1e-12);
+    static const double eye[] = {0.5, 1.05};
+    for (int k = 0; k < 2; k++) {
+        struct world world = {0};
+        struct sb_mesh mesh = sb_mesh_sphere(&world.arena, 20, 40);
+        mesh.sphere = true;
+        struct sb_scene scene = scene_of(&mesh, 1);
+        look_from(&scene, (struct sb_vec3){0, 0, eye[k]}, (struct sb_vec3){0});
+        open_world(&world, scene);
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            struct sb_ref_input in;
+            assert_int_equal(world.cover[i].draw, 0);
+            assert_true(sb_ref_geometry_truth(world.geometry, world.cover[i], i % WIDTH,
+                                              i / WIDTH, &in));
+            assert_true(in.position.z < eye[k] - 0.1 + 1e-6);
+            check_close(sb_vec3_length(in.position), 1, 1e-12);
+        }
+        close_world(&world);
     }
-    close_world(&world);
 }
 
 // --- rays ------------------------------------------------------------------------------
@@ -327,9 +364,10 @@ int main(void)
         cmocka_unit_test(the_truth_of_a_sphere_lies_on_it_and_on_the_pixel_s_ray),
         cmocka_unit_test(so_it_does_where_the_model_stretches_and_mirrors_it),
         cmocka_unit_test(triangles_come_closer_to_the_truth_the_smaller_they_are),
+        cmocka_unit_test(u_goes_on_across_the_seam),
         cmocka_unit_test(the_truth_of_other_meshes_is_their_triangles),
         cmocka_unit_test(a_ray_beside_the_sphere_has_no_truth),
-        cmocka_unit_test(from_inside_the_truth_is_the_far_side),
+        cmocka_unit_test(where_the_near_plane_cuts_the_truth_is_the_far_side),
         cmocka_unit_test(rays_for_the_truth_meet_the_sphere_itself),
         cmocka_unit_test(a_ray_along_the_middle_meets_the_sphere_at_a_radius),
     };

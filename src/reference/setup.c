@@ -1,26 +1,26 @@
 // Which pixels a triangle may cover. Nothing is decided here that a pixel's own test decides:
-// the polygon that is left between the near and the far plane serves for its bounds alone.
+// the polygon that is left behind the near plane serves for its bounds alone.
 #include <math.h>
 
 #include "reference/raster.h"
 
-enum { POLYGON_MAX = 5 }; // a triangle cut by two planes
+enum { POLYGON_MAX = 4 }; // a triangle cut by a plane
 
 struct polygon {
     struct sb_ref_clip corner[POLYGON_MAX];
     int count;
 };
 
-// What of a polygon has side z + w >= 0 (near) or -z + w >= 0 (Sutherland and Hodgman,
-// "Reentrant polygon clipping", 1974).
-static void cut(struct polygon *polygon, double side)
+// What of a triangle lies behind the near plane, z + w >= 0 (Sutherland and Hodgman, "Reentrant
+// polygon clipping", 1974).
+static void cut(struct polygon *polygon)
 {
     const struct polygon whole = *polygon;
     polygon->count = 0;
     for (int i = 0; i < whole.count; i++) {
         const struct sb_ref_clip *a = &whole.corner[i];
         const struct sb_ref_clip *b = &whole.corner[(i + 1) % whole.count];
-        const double at_a = side * a->z + a->w, at_b = side * b->z + b->w;
+        const double at_a = a->z + a->w, at_b = b->z + b->w;
         if (at_a >= 0)
             polygon->corner[polygon->count++] = *a;
         if ((at_a >= 0) == (at_b >= 0))
@@ -55,8 +55,7 @@ static bool bound(const struct sb_ref_geometry *geometry, struct sb_ref_setup *s
     struct polygon polygon = {.count = 3};
     for (int i = 0; i < 3; i++)
         polygon.corner[i] = *setup->corner[i];
-    cut(&polygon, 1);
-    cut(&polygon, -1);
+    cut(&polygon);
     if (polygon.count == 0)
         return false;
     struct range x = {INFINITY, -INFINITY}, y = x, z = x;
@@ -66,7 +65,7 @@ static bool bound(const struct sb_ref_geometry *geometry, struct sb_ref_setup *s
             widen(&x, corner->x / corner->w);
             widen(&y, corner->y / corner->w);
             widen(&z, corner->z / corner->w);
-        } else { // between both planes w is not negative, but it may be zero
+        } else { // the near plane runs through the eye, or the eye's plane through a corner
             x = y = (struct range){-INFINITY, INFINITY};
         }
     }
