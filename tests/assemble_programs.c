@@ -57,6 +57,42 @@ static void check_programs(const char *words, const char *const *roles, int coun
     folder_free(&folder);
 }
 
+static void a_probe_is_the_lit_program_told_apart_by_a_define(void **state)
+{
+    (void)state;
+    struct sb_assembly plain, probed;
+    struct sb_error err = {0};
+    assemble("point=1 lamps=on", &plain);
+    const struct assembling from = {.words = "point=1 lamps=on", .probe = true};
+    assert_true(assemble_from(&from, &probed, &err));
+    assert_int_equal(probed.job.program_count, plain.job.program_count + 1);
+    assert_int_equal(probed.source_hash, plain.source_hash);
+    for (int i = 0; i < plain.job.program_count; i++) {
+        assert_string_equal(plain.job.program[i].vertex, probed.job.program[i].vertex);
+        assert_string_equal(plain.job.program[i].fragment,
+                            probed.job.program[i].fragment);
+        check_contains(plain.job.program[i].fragment, "#define PROBE off\n");
+    }
+    const struct sb_program *probe = &probed.job.program[plain.job.program_count];
+    assert_string_equal(probe->role, "probe");
+    check_contains(probe->fragment, "#define PROBE on\n");
+    check_contains(probe->fragment, "o_probe0");
+    assert_null(strstr(probed.job.program[0].fragment, "o_probe0"));
+    sb_assembly_free(&plain);
+    sb_assembly_free(&probed);
+}
+
+static void glsl_es_1_00_has_no_probe(void **state)
+{
+    (void)state;
+    struct sb_assembly assembly;
+    struct sb_error err = {0};
+    const struct assembling from = {.words = "api=gles glsl=100 point=1", .probe = true};
+    assert_true(assemble_from(&from, &assembly, &err));
+    assert_int_equal(assembly.job.program_count, 1);
+    sb_assembly_free(&assembly);
+}
+
 static void a_job_has_the_programs_that_it_draws_with_the_lit_one_first(void **state)
 {
     (void)state;
@@ -179,6 +215,8 @@ static void a_file_that_is_missing_is_named(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_probe_is_the_lit_program_told_apart_by_a_define),
+        cmocka_unit_test(glsl_es_1_00_has_no_probe),
         cmocka_unit_test(a_job_has_the_programs_that_it_draws_with_the_lit_one_first),
         cmocka_unit_test(the_job_points_to_what_was_asked_for),
         cmocka_unit_test(a_change_in_any_text_is_another_source),

@@ -1,5 +1,6 @@
 // PROBE=on: the program "probe" computes what "shade" does and tells what came of it
-// (docs/glsl.md, "Probes"). Values are copied into highp at the call.
+// (docs/glsl.md, "Probes"). Where a value is made it is only kept, and looked at when its light
+// is done: whatever stands in a branch may move a compiler to treat that branch differently.
 #include "probe/$(STAGE).glsl"
 
 #define TERM_DISTANCE        0
@@ -11,9 +12,11 @@
 #define TERM_DIRECTION       6
 #define TERM_DIFFUSE_WEIGHT  9
 #define TERM_SPECULAR_WEIGHT 10
-// Of no light: told with the first one.
-#define TERM_VIEW            12
+#define TERM_VIEW            12 // of no light: told as of the first one
 #define TERM_NORMAL          13
+
+// Place p of a page.
+#define PROBE_AT(page, p) page[p / 4][p % 4]
 
 // The terms of a light that has none of its own.
 #define PROBE_UNTOLD mat3x4(0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
@@ -21,69 +24,25 @@
 uniform highp int u_probe_page;  // 0: inputs, 1: frame, 2: light
 uniform highp int u_probe_light; // of the whole list
 
-// Pages: place p is [p / 4][p % 4].
-highp mat3x4 probe_now = PROBE_UNTOLD; // the light that is being added
-highp mat3x4 probe_light = mat3x4(0.0); // u_probe_light
 highp mat3x4 probe_inputs = mat3x4(0.0);
 highp mat3x4 probe_frame = mat3x4(0.0);
-highp int probe_number = 0; // of the light that is being added
-highp int probe_nonfinite = 0;
+highp mat3x4 probe_light = mat3x4(0.0); // u_probe_light's
+highp mat3x4 probe_now = PROBE_UNTOLD;  // of the light that is being added
+highp vec4 probe_bare = vec4(0.0); // its first terms, before a bound that hides what they are
+highp int probe_number = 0;        // of that light
+highp uint probe_nonfinite = 0u;
 highp int probe_negative = 0;
-highp int probe_first = 0; // the first that is not finite; 0: none
-highp uint probe_bad = 0u; // bit p: place p of this light is known not to be finite
+highp uint probe_first = 0u; // bit p: place p is not finite, of the first light of which any is
+highp int probe_first_light = 0;
 highp uint probe_decisions = 0u;
-bool probe_reached = true; // highlights are not cut
+bool probe_cuts = false;   // highlights of that light are cut behind the surface,
+bool probe_reached = true; // and are not here
 
 void probe_put(inout highp mat3x4 page, highp int place, highp vec3 value)
 {
-    for (highp int i = 0; i < 3; i++)
-        page[(place + i) / 4][(place + i) % 4] = value[i];
-}
-
-// By its bits: drivers may take a comparison to know that there is no NaN.
-void probe_raw(highp int place, highp float value)
-{
-    highp uint bit = 1u << uint(place);
-    if ((floatBitsToUint(value) & 0x7F800000u) != 0x7F800000u || (probe_bad & bit) != 0u)
-        return;
-    probe_bad |= bit;
-    probe_nonfinite++;
-    if (probe_first == 0)
-        probe_first = 16 * probe_number + place + 1;
-}
-
-void probe_raw_vector(highp int place, highp int step, highp vec3 value)
-{
-    probe_raw(place, value.x);
-    probe_raw(place + step, value.y);
-    probe_raw(place + 2 * step, value.z);
-}
-
-void probe_term(highp int place, highp float value)
-{
-    highp uint bits = floatBitsToUint(value);
-    probe_now[place / 4][place % 4] = value;
-    probe_raw(place, value);
-    if (place != TERM_N_DOT_L && bits > 0x80000000u && bits <= 0xFF800000u)
-        probe_negative++;
-}
-
-void probe_direction(highp vec3 value)
-{
-    probe_put(probe_now, TERM_DIRECTION, value);
-    probe_raw_vector(TERM_DIRECTION, 1, value);
-}
-
-void probe_view(highp vec3 value)
-{
-    probe_put(probe_frame, 6, value);
-    probe_raw_vector(TERM_VIEW, 0, value);
-}
-
-void probe_normal(highp vec3 value)
-{
-    probe_put(probe_frame, 9, value);
-    probe_raw_vector(TERM_NORMAL, 0, value);
+    page[place / 4][place % 4] = value.x;
+    page[(place + 1) / 4][(place + 1) % 4] = value.y;
+    page[(place + 2) / 4][(place + 2) % 4] = value.z;
 }
 
 void probe_inputs_are(highp vec3 position, highp vec3 normal, highp vec2 uv)
@@ -110,33 +69,99 @@ bool probe_decided(bool outcome)
     return outcome;
 }
 
-void probe_shown(highp float share)
+// What is not finite and what is below 0, by bits: a compiler may take comparisons to know that
+// there is no NaN. Few operations: a loop that grows is unrolled less.
+highp uint probe_bad(highp int place, highp float value)
 {
-    probe_term(TERM_SHOWN, share);
-    probe_decide(int(16.0 * share + 0.5));
+    return (floatBitsToUint(value) & 0x7F800000u) == 0x7F800000u ? 1u << uint(place) : 0u;
+}
+
+highp uint probe_ones(highp uint bits)
+{
+    bits -= bits >> 1 & 0x5555u;
+    bits = (bits & 0x3333u) + (bits >> 2 & 0x3333u);
+    bits = bits + (bits >> 4) & 0x0F0Fu;
+    return bits + (bits >> 8) & 0x1Fu;
+}
+
+highp int probe_below(highp float value)
+{
+    return floatBitsToUint(value) - 0x80000001u < 0x7F800000u ? 1 : 0;
+}
+
+void probe_look()
+{
+    highp uint bad = probe_bad(TERM_DISTANCE, probe_now[0][0]) |
+                     probe_bad(TERM_ATTENUATION, probe_now[0][1]) |
+                     probe_bad(TERM_ATTENUATION, probe_bare[1]) |
+                     probe_bad(TERM_CONE, probe_now[0][2]) |
+                     probe_bad(TERM_CONE, probe_bare[2]) |
+                     probe_bad(TERM_SHOWN, probe_now[0][3]) |
+                     probe_bad(TERM_N_DOT_L, probe_now[1][0]) |
+                     probe_bad(TERM_SPECULAR, probe_now[1][1]) |
+                     probe_bad(TERM_DIRECTION, probe_now[1][2]) |
+                     probe_bad(TERM_DIRECTION + 1, probe_now[1][3]) |
+                     probe_bad(TERM_DIRECTION + 2, probe_now[2][0]) |
+                     probe_bad(TERM_DIFFUSE_WEIGHT, probe_now[2][1]) |
+                     probe_bad(TERM_SPECULAR_WEIGHT, probe_now[2][2]);
+    probe_negative += probe_below(probe_now[0][0]) + probe_below(probe_now[0][1]) +
+                      probe_below(probe_now[0][2]) + probe_below(probe_now[0][3]) +
+                      probe_below(probe_now[1][1]) + probe_below(probe_now[2][1]) +
+                      probe_below(probe_now[2][2]);
+    probe_nonfinite += probe_ones(bad);
+    probe_first = probe_first == 0u ? bad : probe_first;
+    probe_first_light = probe_first == 0u ? probe_number + 1 : probe_first_light;
 }
 
 void probe_next_light()
 {
+    probe_look();
+    if (probe_cuts)
+        probe_decide(probe_reached ? 1 : 0);
     if (!probe_reached) {
-        probe_now[TERM_SPECULAR / 4][TERM_SPECULAR % 4] = 0.0;
-        probe_now[TERM_SPECULAR_WEIGHT / 4][TERM_SPECULAR_WEIGHT % 4] = 0.0;
+        PROBE_AT(probe_now, TERM_SPECULAR) = 0.0;
+        PROBE_AT(probe_now, TERM_SPECULAR_WEIGHT) = 0.0;
     }
     if (probe_number == u_probe_light) {
         probe_light = probe_now;
         probe_light[2][3] = 1.0;
     }
     probe_now = PROBE_UNTOLD;
-    probe_number++;
-    probe_bad &= (1u << uint(TERM_VIEW)) | (1u << uint(TERM_NORMAL));
+    probe_bare = vec4(0.0);
+    probe_cuts = false;
     probe_reached = true;
+    probe_number++;
+}
+
+// 0 where all was finite. The view and the normal come before the lights, and a light's terms
+// in the order in which they follow from each other.
+highp int probe_first_one()
+{
+    highp int order[11] = int[11](
+        TERM_DISTANCE, TERM_DIRECTION, TERM_DIRECTION + 1, TERM_DIRECTION + 2,
+        TERM_ATTENUATION, TERM_CONE, TERM_SHOWN, TERM_N_DOT_L, TERM_SPECULAR,
+        TERM_DIFFUSE_WEIGHT, TERM_SPECULAR_WEIGHT);
+    highp uint before = probe_bad(TERM_VIEW, probe_frame[1][2]) |
+                        probe_bad(TERM_VIEW, probe_frame[1][3]) |
+                        probe_bad(TERM_VIEW, probe_frame[2][0]) |
+                        probe_bad(TERM_NORMAL, probe_frame[2][1]) |
+                        probe_bad(TERM_NORMAL, probe_frame[2][2]) |
+                        probe_bad(TERM_NORMAL, probe_frame[2][3]);
+    probe_nonfinite += probe_ones(before);
+    if (before != 0u)
+        return 1 + ((before >> uint(TERM_NORMAL)) != 0u ? TERM_NORMAL : TERM_VIEW);
+    for (highp int i = 0; i < 11; i++)
+        if ((probe_first >> uint(order[i]) & 1u) != 0u)
+            return 16 * probe_first_light + order[i] + 1;
+    return 0;
 }
 
 void probe_tell()
 {
+    highp int first = probe_first_one();
     highp mat3x4 page = probe_inputs;
     page[2] = vec4(float(probe_nonfinite), float(probe_negative), float(probe_decisions),
-                   float(probe_first));
+                   float(first));
     if (u_probe_page == 1)
         page = probe_frame;
     if (u_probe_page == 2)
@@ -144,15 +169,15 @@ void probe_tell()
     probe_out(page);
 }
 
-#define PROBE_TERM(place, value) probe_term(place, value);
-#define PROBE_RAW(place, value) probe_raw(place, value);
-#define PROBE_DIRECTION(value) probe_direction(value);
-#define PROBE_NORMAL(value) probe_normal(value);
-#define PROBE_VIEW(value) probe_view(value);
+#define PROBE_TERM(place, value) PROBE_AT(probe_now, place) = value;
+#define PROBE_RAW(place, value) probe_bare[place] = value;
+#define PROBE_DIRECTION(value) probe_put(probe_now, TERM_DIRECTION, value);
+#define PROBE_VIEW(value) probe_put(probe_frame, 6, value);
+#define PROBE_NORMAL(value) probe_put(probe_frame, 9, value);
 #define PROBE_INPUTS(position, normal, uv) probe_inputs_are(position, normal, uv);
 #define PROBE_FRAME(tangent, bitangent) probe_frame_is(tangent, bitangent);
 #define PROBE_DECIDED(outcome) probe_decided(outcome)
-#define PROBE_SIDE(outcome) probe_reached = probe_decided(outcome);
-#define PROBE_SHOWN(share) probe_shown(share);
+#define PROBE_SIDE(outcome) probe_cuts = true; probe_reached = outcome;
+#define PROBE_SHOWN(share) probe_now[0][3] = share; probe_decide(int(16.0 * probe_now[0][3] + 0.5));
 #define PROBE_NEXT_LIGHT probe_next_light();
 #define PROBE_OUT probe_tell();

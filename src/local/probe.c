@@ -179,6 +179,7 @@ static bool vertices(const struct sb_local *local, const struct sb_local_job *jo
     const struct sb_capture_params params = {
         .binding = &job->probe,
         .shadow = job->shadow.casters > 0 ? &job->shadow : NULL,
+        .target = &job->ring->ring.target[0],
         .floats = CAPTURED,
         .gles = local->caps.gles,
     };

@@ -38,6 +38,8 @@ void sb_capture_draw(const struct sb_capture_params *params, float *values)
     glGenBuffers(1, &buffer);
     glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
     glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, size, NULL, GL_STREAM_READ);
+    // Drawing wants a complete framebuffer, even where all is discarded.
+    glBindFramebuffer(GL_FRAMEBUFFER, params->target->framebuffer);
     sb_frame_state(params->gles, &calls);
     if (params->shadow)
         sb_shadow_bind(params->shadow);

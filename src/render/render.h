@@ -180,6 +180,7 @@ int64_t sb_capture_vertices(const struct sb_scene *scene);
 struct sb_capture_params {
     const struct sb_binding *binding; // of a program made by sb_gl_program_make_captured
     const struct sb_shadow *shadow;   // maps that `binding` looks up; NULL: none
+    const struct sb_target *target;   // any: it is bound and nothing is drawn to it
     int floats;                       // a vertex
     bool gles;
 };
