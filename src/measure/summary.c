@@ -3,11 +3,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "analyse/pareto.h"
 #include "assemble/platform.h"
 #include "measure/accuracy.h"
 #include "measure/precision.h"
 #include "measure/rounds.h"
 #include "measure/summary.h"
+#include "scene/scene.h"
 #include "stats/between.h"
 #include "stats/paired.h"
 #include "stats/series.h"
@@ -332,4 +334,10 @@ void sb_summarise(const struct sb_summary_params *params, struct sb_row *row,
         fill_status(task, &row[i]);
         note_resumed(params->task, task, &row[i], arena);
     }
+    sb_pareto_mark(&(struct sb_pareto_params){
+        .row = row,
+        .count = params->task_count,
+        .axes = &params->suite->axes,
+        .analytic = sb_scene_analytic,
+    });
 }
