@@ -54,9 +54,9 @@ static void validation_names_the_file_and_line_that_is_wrong(void **state)
     copy_shaders("wrong");
     check_shell("sed -i '/Shade shade = shade_surface/s/^/    nowhere = 1.0;\\n/' "
                 "@/wrong/stage/vertex.vert; grep -n nowhere @/wrong/stage/vertex.vert",
-                0, "10:");
+                0, "11:");
     check_answer("show stage=vertex,point=1 --validate --shaders @/wrong", 3,
-                 "stage/vertex.vert:10");
+                 "stage/vertex.vert:11");
     check_answer("show stage=fragment,point=1 --validate --shaders @/wrong", 0,
                  "void main");
     check_answer("show stage=vertex,point=1 --validate", 0, "void main");

@@ -206,7 +206,7 @@ bool sb_local_probe_image(struct sb_local *local, struct sb_local_job *job,
     ask(job, request);
     if (request->kind == SB_IMAGE_PROBE_COLOUR)
         return colour(local, job, request, image, err);
-    if (job->variant.value[SB_AXIS_STAGE] == SB_STAGE_VERTEX)
+    if (sb_lit_per_vertex(&job->variant))
         return vertices(local, job, request, image, err);
     return pixels(local, job, request, image, err);
 }

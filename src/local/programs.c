@@ -83,7 +83,7 @@ bool sb_local_compile_probe(struct sb_local_job *job, struct sb_error *err)
     // Lit per vertex: what the vertex shader hands on, in the order of probe.c.
     static const char *const varying[] = {"v_diffuse", "v_specular", "v_probe0",
                                           "v_probe1", "v_probe2"};
-    const bool vertex = job->variant.value[SB_AXIS_STAGE] == SB_STAGE_VERTEX;
+    const bool vertex = sb_lit_per_vertex(&job->variant);
     struct sb_gl_program *program = &job->program[SB_LOCAL_PROBE];
     if (sb_gl_program_make_captured(&job->probe_source, varying,
                                     vertex ? sizeof varying / sizeof *varying : 0,

@@ -20,6 +20,9 @@ struct sb_shape {
 };
 struct sb_shape sb_shape_of(const struct sb_variant *variant);
 
+// Is the lighting evaluated in the vertex shader?
+bool sb_lit_per_vertex(const struct sb_variant *variant);
+
 // The widest float format that can be drawn to; where there is none, one that
 // sb_target_make refuses with the reason.
 enum sb_gl_format sb_format_wide(const struct sb_caps *caps);

@@ -17,6 +17,11 @@ struct sb_shape sb_shape_of(const struct sb_variant *variant)
     };
 }
 
+bool sb_lit_per_vertex(const struct sb_variant *variant)
+{
+    return variant->value[SB_AXIS_STAGE] == SB_STAGE_VERTEX;
+}
+
 enum sb_gl_format sb_format_wide(const struct sb_caps *caps)
 {
     return caps->colour_half && !caps->colour_float ? SB_GL_RGBA16F : SB_GL_RGBA32F;
