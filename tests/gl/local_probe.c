@@ -17,6 +17,7 @@ int main(void)
         cmocka_unit_test(pages_of_lights_follow_closed_forms),
         cmocka_unit_test(decisions_are_hashed_in_order),
         cmocka_unit_test(a_light_on_the_surface_is_not_finite_in_naive_forms),
+        cmocka_unit_test(negative_terms_are_counted),
         cmocka_unit_test(frames_of_normal_maps_are_told),
         cmocka_unit_test(vertices_tell_what_they_hand_on),
     };

@@ -194,19 +194,24 @@ void decisions_are_hashed_in_order(void **state)
 
 // --- what is not finite --------------------------------------------------------------------
 
-// Puts the first light of the job on the surface that a pixel shows, and asks that pixel.
-static void light_on_surface(const struct probe_job *job, float inputs[12])
+static const struct sb_image_request middle = {
+    .kind = SB_IMAGE_PROBE, .one_pixel = true, .x = 24, .y = 24};
+
+// The light that the program "probe" of a job has uploaded first: to be changed before
+// middle_inputs.
+static struct sb_light *first_light(const struct probe_job *job)
 {
-    struct sb_image page;
     struct sb_error err = {0};
-    struct sb_image_request request = {
-        .kind = SB_IMAGE_PROBE, .one_pixel = true, .x = 24, .y = 24};
-    job_image(job, &request, &page);
     struct sb_local_job *inside =
         sb_local_job_find((struct sb_local *)probe_runner, job->id, &err);
     assert_non_null(inside);
-    memcpy(inside->probe.as_lit[0].position, page.data + PAGE, 3 * sizeof(float));
-    sb_image_free(&page);
+    return inside->probe.as_lit;
+}
+
+static void middle_inputs(const struct probe_job *job, float inputs[12])
+{
+    struct sb_image page;
+    struct sb_image_request request = middle;
     request.off_first = 99; // uploads the lights, and switches none of them off
     request.off_count = 1;
     job_image(job, &request, &page);
@@ -231,10 +236,37 @@ void a_light_on_the_surface_is_not_finite_in_naive_forms(void **state)
         struct probe_job job;
         float inputs[12];
         assert_true(job_make(&job, cases[i].words));
-        light_on_surface(&job, inputs);
+        middle_inputs(&job, inputs);
+        memcpy(first_light(&job)->position, inputs, 3 * sizeof(float));
+        middle_inputs(&job, inputs);
         assert_true(inputs[8] == (float)cases[i].count);
         assert_true(inputs[9] == 0);
         assert_true(inputs[11] == (float)cases[i].first);
+        job_free(&job);
+    }
+}
+
+// A sum below 0 in the divisor of the textbooks' form: attenuation, and both weights of a light
+// that reaches the surface, which the middle of the sphere is turned to.
+void negative_terms_are_counted(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *words;
+        int count;
+    } cases[] = {{"form=naive point=1 model=lambert", 2},
+                 {"form=robust point=1 model=lambert", 0},
+                 {"form=naive point=1 model=blinn", 3}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct probe_job job;
+        float inputs[12];
+        assert_true(job_make(&job, cases[i].words));
+        middle_inputs(&job, inputs);
+        assert_true(inputs[9] == 0);
+        first_light(&job)->constant = -100;
+        middle_inputs(&job, inputs);
+        assert_true(inputs[8] == 0);
+        assert_true(inputs[9] == (float)cases[i].count);
         job_free(&job);
     }
 }

@@ -61,5 +61,6 @@ void positions_are_those_of_the_weighted_corners(void **state);
 void pages_of_lights_follow_closed_forms(void **state);
 void decisions_are_hashed_in_order(void **state);
 void a_light_on_the_surface_is_not_finite_in_naive_forms(void **state);
+void negative_terms_are_counted(void **state);
 void frames_of_normal_maps_are_told(void **state);
 void vertices_tell_what_they_hand_on(void **state);
