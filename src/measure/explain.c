@@ -6,19 +6,21 @@
 #include "assemble/platform.h"
 #include "reference/share.h"
 
-#define FLOOR_distance        0
-#define FLOOR_direction       1
-#define FLOOR_attenuation     0x1p-10
-#define FLOOR_cone            1
-#define FLOOR_shown           1
-#define FLOOR_n_dot_l         1
-#define FLOOR_specular        1
-#define FLOOR_diffuse_weight  1
-#define FLOOR_specular_weight 1
+// What rounding alone makes of a term stays below its limit: a cone multiplies the error of its
+// cosine by the inverse of its width.
+#define LIMITS_distance        0, 64
+#define LIMITS_direction       1, 64
+#define LIMITS_attenuation     0x1p-10, 64
+#define LIMITS_cone            1, 1024
+#define LIMITS_shown           1, 0
+#define LIMITS_n_dot_l         1, 64
+#define LIMITS_specular        1, 64
+#define LIMITS_diffuse_weight  1, 64
+#define LIMITS_specular_weight 1, 64
 
 const struct sb_term_row sb_term_rows[SB_TERM_COUNT] = {
 #define TERM(name, components, place, help)                                              \
-    {#name, help, components, place, offsetof(struct sb_ref_terms, name), FLOOR_##name},
+    {#name, help, components, place, offsetof(struct sb_ref_terms, name), LIMITS_##name},
     SB_REF_TERMS(TERM)
 #undef TERM
 };
@@ -130,7 +132,8 @@ static void judge(const struct sb_explanation *explanation,
             light->ulps[t] =
                 fmax(light->ulps[t], sb_ulps(light->driver[row->place + c], reference[c],
                                              row->floor, explanation->bits));
-        if (light->wrong < 0 && !(light->ulps[t] <= SB_ULPS_WRONG))
+        const double most = fmin(row->wrong, ldexp(1, explanation->bits - 4));
+        if (light->wrong < 0 && !(light->ulps[t] <= most)) // NAN: wrong
             light->wrong = t;
     }
 }

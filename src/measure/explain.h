@@ -17,12 +17,10 @@ struct sb_term_row {
     int components;
     int place;     // of the first in SB_PROBE_LIGHT
     size_t offset; // in struct sb_ref_terms
-    double floor;  // an error is told in units in the last place of max(|value|, floor)
+    double floor; // an error is told in units in the last place of max(|value|, floor) …
+    double wrong; // … and of more than so many the term went wrong
 };
 extern const struct sb_term_row sb_term_rows[SB_TERM_COUNT];
-
-// A term went wrong that is more than this many units in the last place off.
-enum { SB_ULPS_WRONG = 64 };
 
 // |value - reference| in units in the last place of max(|reference|, floor) in a format of so
 // many significant bits (24: binary32, 11: binary16) and smallest normal exponent; infinity
