@@ -283,7 +283,7 @@ static void an_outside_evaluation_comes_to_the_same_terms_and_colour(void **stat
          {"blinn", "scene", "polynomial", "smooth", "", false, true}},
         {"area=3,area_shape=sphere",
          {"blinn", "scene", "polynomial", "", "sphere", false, true}},
-        {"area=3,area_shape=tube",
+        {"area=3,area_shape=tube,model=phong",
          {"phong", "scene", "polynomial", "", "tube", false, true}},
         {"area=3,area_shape=box",
          {"blinn", "scene", "polynomial", "", "box", false, true}},
