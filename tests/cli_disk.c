@@ -28,8 +28,8 @@ static void a_disk_full_of_samples_keeps_whole_rounds_and_shows_the_table(void *
 {
     (void)state;
     static struct answer answer;
-    // 8 KiB hold run.json and summary.csv, and some thirty rounds.
-    run_shell(&answer, "{ " LIMITED("16") RUN "--rounds 4000 -o @/full; } 2>@/said");
+    // 24 KiB hold run.json and summary.csv, and some eighty rounds.
+    run_shell(&answer, "{ " LIMITED("48") RUN "--rounds 4000 -o @/full; } 2>@/said");
     char *said = read_file("said"), *samples = read_file("full/samples.csv");
     assert_int_equal(answer.code, 3);
     check_contains(answer.text, "median ms"); // on stdout

@@ -169,8 +169,8 @@ bool sb_defines_make(struct sb_defines *defines, const struct sb_axes *axes,
                      struct sb_error *err)
 {
     // Those of the axes last: it is the name of a suite's own axis that has to give way.
-    return add(defines, "PROBE", "off", err) &&
-           add(defines, "GLSL_FAMILY", family, err) &&
+    return add(defines, "GLSL_FAMILY", family, err) &&
+           add(defines, "PROBE", "off", err) &&
            add(defines, "SLIPS", slips_of(axes, variant), err) &&
            add_effects(defines, axes, variant, err) &&
            add_lights(defines, variant, err) && add_axes(defines, axes, variant, err);
