@@ -28,10 +28,12 @@ const struct sb_term_row sb_term_rows[SB_TERM_COUNT] = {
 double sb_ulps(double value, double reference, double floor, int bits)
 {
     const int least = bits > 11 ? -126 : -14; // smallest normal exponent
-    int exponent;
+    const double size = fmax(fabs(reference), floor);
+    int exponent = least;
     if (!isfinite(value) || !isfinite(reference))
         return isnan(value) && isnan(reference) ? 0 : value == reference ? 0 : INFINITY;
-    frexp(fmax(fabs(reference), floor), &exponent);
+    if (size > 0) // frexp has no exponent of 0
+        frexp(size, &exponent);
     const int last = (exponent - 1 > least ? exponent - 1 : least) - (bits - 1);
     return ldexp(fabs(value - reference), -last);
 }
