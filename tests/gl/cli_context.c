@@ -212,7 +212,7 @@ static void a_shader_that_does_not_compile_costs_only_its_rows(void **state)
     check_shell(line, 0, "");
     check_shell("sed -i 's/Shade shade = shade_surface/nowhere = 1.0; &/' "
                 "@/broken/stage/vertex.vert; grep -n nowhere @/broken/stage/vertex.vert",
-                0, "10:");
+                0, "11:");
     run_suite(&answer, "scenes",
               "suite: scenes\nscene: [plane, sphere]\n" SMALL
               "dir: 32, point: 32, spot: 32}\n"
@@ -221,7 +221,7 @@ static void a_shader_that_does_not_compile_costs_only_its_rows(void **state)
     if (answer.code != 3)
         fail_msg("exit code %d: %s", answer.code, answer.text);
     check_contains(answer.text, "compile_failed");
-    check_contains(answer.text, "stage/vertex.vert:10");
+    check_contains(answer.text, "stage/vertex.vert:11");
     read_csv("scenes/summary.csv", &csv);
     assert_int_equal(csv.row_count, 1 + 4);
     for (int i = 1; i <= 4; i++) {
@@ -230,7 +230,7 @@ static void a_shader_that_does_not_compile_costs_only_its_rows(void **state)
             continue;
         }
         assert_string_equal(csv_cell(&csv, i, "status"), "compile_failed");
-        check_contains(csv_cell(&csv, i, "note"), "stage/vertex.vert:10");
+        check_contains(csv_cell(&csv, i, "note"), "stage/vertex.vert:11");
         check_contains(csv_cell(&csv, i, "note"), "nowhere");
         assert_string_equal(csv_cell(&csv, i, "median_ms"), "");
     }
