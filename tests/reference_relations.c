@@ -395,7 +395,7 @@ static void shadows_has_the_intensity_in_the_power_too_and_tints_highlights(void
     const struct sb_ref_shade made = shade(&world, &it);
     check_close(it.specular[0], pow(0.75 * 0.8, 8), 1e-16);
     check_close(it.specular_weight[0], pow(0.75 * 0.8, 8) * 0.75, 1e-16);
-    const struct sb_vec3 colour = sb_ref_colour(&world.shading, &made, world.input.uv);
+    const struct sb_vec3 colour = sb_ref_colour(&world.shading, &made, &world.input);
     check_close(colour.x, 0.75 + it.specular_weight[0], 1e-15);
     check_close(colour.y, 0, 0);
     check_close(colour.z, colour.x / 5, 1e-15);

@@ -56,7 +56,7 @@ static void light_from_straight_above_arrives_whole(void **state)
             assert_true(made.diffuse.x == 1 && made.specular.z == (m > 0));
             assert_true(made.view.z == 1 && made.normal.z == 1);
             const struct sb_vec3 colour =
-                sb_ref_colour(&world.shading, &made, world.input.uv);
+                sb_ref_colour(&world.shading, &made, &world.input);
             assert_true(colour.y == 1 + (m > 0));
         }
     }
@@ -470,10 +470,31 @@ static void maps_multiply_what_leaves_the_surface(void **state)
     world.scene.map[SB_MAP_DIFFUSE] = (struct sb_texture){1, 1, half};
     world.scene.map[SB_MAP_SPECULAR] = (struct sb_texture){1, 1, some};
     const struct sb_ref_shade made = shade(&world, NULL);
-    const struct sb_vec3 colour = sb_ref_colour(&world.shading, &made, world.input.uv);
+    const struct sb_vec3 colour = sb_ref_colour(&world.shading, &made, &world.input);
     check_close(colour.x, 0.2 + 1, 1e-15);
     check_close(colour.y, 0.4 + 0, 1e-15);
     check_close(colour.z, 0.8 + 0.2, 1e-15);
+}
+
+static void texels_that_are_given_are_not_looked_up(void **state)
+{
+    (void)state;
+    static const unsigned char other[4] = {7, 8, 9, 255};
+    struct world world;
+    world_make(&world, "point=1,maps=diffuse+specular+normal,attenuation=none");
+    world_add(&world, SB_LIGHT_POINT, 0, 0, 2);
+    for (int m = 0; m < SB_MAP_COUNT; m++)
+        world.scene.map[m] = (struct sb_texture){1, 1, other};
+    world.input.sampled = true;
+    world.input.texel[SB_MAP_DIFFUSE] = (struct sb_vec3){0.25, 0.5, 0.75};
+    world.input.texel[SB_MAP_SPECULAR] = (struct sb_vec3){1, 0, 0.125};
+    world.input.texel[SB_MAP_NORMAL] = (struct sb_vec3){0.5, 0.5, 1}; // straight up
+    const struct sb_ref_shade made = shade(&world, NULL);
+    assert_true(made.normal.x == 0 && made.normal.y == 0 && made.normal.z == 1);
+    const struct sb_vec3 colour = sb_ref_colour(&world.shading, &made, &world.input);
+    check_close(colour.x, 0.25 + 1, 1e-15);
+    check_close(colour.y, 0.5 + 0, 1e-15);
+    check_close(colour.z, 0.75 + 0.125, 1e-15);
 }
 
 static void a_normal_map_turns_the_normal_in_its_frame(void **state)
@@ -521,6 +542,7 @@ int main(void)
         cmocka_unit_test(opposite_light_and_view_have_no_half_vector),
         cmocka_unit_test(a_short_normal_weakens_light_unless_it_is_restored),
         cmocka_unit_test(maps_multiply_what_leaves_the_surface),
+        cmocka_unit_test(texels_that_are_given_are_not_looked_up),
         cmocka_unit_test(a_normal_map_turns_the_normal_in_its_frame),
     };
     return run_tests(tests);

@@ -16,6 +16,11 @@ static const int taps[SB_SHADOW_FILTER_VALUE_COUNT] = {
     [SB_SHADOW_FILTER_16] = 4,
 };
 
+const bool *sb_ref_maps_of(const struct sb_variant *variant)
+{
+    return maps[(int)variant->value[SB_AXIS_MAPS]];
+}
+
 // The slip of `ubo` is part of the text and so of the ideal; normalise=off is not.
 static bool keeps_length(const struct sb_ref_shading *shading, int slips)
 {
@@ -50,7 +55,7 @@ struct sb_ref_choice sb_ref_choose(const struct sb_ref_shading *shading)
         .makes_cone = value[SB_AXIS_HOIST] == SB_HOIST_PER_LIGHT,
         .unified = value[SB_AXIS_LAYOUT] == SB_LAYOUT_UNIFIED,
         .passes_off = value[SB_AXIS_LOOP] == SB_LOOP_PADDED,
-        .maps = maps[(int)value[SB_AXIS_MAPS]],
+        .maps = sb_ref_maps_of(shading->variant),
         .casters = (int)value[SB_AXIS_SHADOWS],
     };
     if (choice.casters > 0)

@@ -19,6 +19,9 @@ struct sb_ref_input {
         bitangent; // as interpolated; bitangent: cross(normal, tangent) * w
                    // at the vertices
     double uv[2];
+    // What a driver's lookups gave, raw, by enum sb_map; false: the maps are sampled exactly, at uv.
+    bool sampled;
+    struct sb_vec3 texel[SB_MAP_COUNT];
 };
 
 // A scene ready to be asked: vertices of every draw in clip and world space, and a tree of the

@@ -16,7 +16,7 @@ struct sb_ref_choice {
     bool makes_cone;   // hoist=per_light: from the angles, with a unit axis
     bool unified;      // the light arrays have the members of layout=unified
     bool passes_off;   // lights of intensity 0 are passed over
-    const bool *maps;  // SB_MAP_COUNT: which are used
+    const bool *maps;  // sb_ref_maps_of
     int casters;       // the first point lights cast shadows
     int taps;          // shadow lookups, a side of their square
     int size, store;   // of a shadow map: texels a side, value of the axis
@@ -24,6 +24,8 @@ struct sb_ref_choice {
     bool bias_slopes;
 };
 struct sb_ref_choice sb_ref_choose(const struct sb_ref_shading *shading);
+// SB_MAP_COUNT: which maps are read.
+const bool *sb_ref_maps_of(const struct sb_variant *variant);
 
 // --- vectors --------------------------------------------------------------------------------
 
@@ -69,6 +71,10 @@ struct sb_ref_surface sb_ref_surface_of(const struct sb_ref_shading *shading,
                                         const struct sb_ref_choice *choice,
                                         const struct sb_ref_input *input,
                                         const struct sb_material *material);
+
+// What a map has there, raw: as a driver sampled it, or exactly.
+struct sb_vec3 sb_ref_texel(const struct sb_ref_shading *shading,
+                            const struct sb_ref_input *input, enum sb_map map);
 
 // --- one light as it arrives ----------------------------------------------------------------
 

@@ -202,29 +202,47 @@ static void ideal_pixel(struct work *work, int x, int y)
     } else if (sb_ref_geometry_truth(ground->geometry, at, x, y, &input)) {
         input = to_lighting(&work->lighting, &input);
         sb_ref_shade(shading, &input, material_of(ground, at.draw), &shade, NULL);
-        put(work->picture, x, y, sb_ref_colour(shading, &shade, input.uv),
-            shade.decisions);
+        put(work->picture, x, y, sb_ref_colour(shading, &shade, &input), shade.decisions);
     }
 }
 
+// `maps`: 12 values of SB_PROBE_MAPS; NULL: nothing is known of a driver's lookups.
+static void take_texels(struct sb_ref_input *input, const float *maps)
+{
+    input->sampled = maps != NULL;
+    for (int i = 0; maps && i < SB_MAP_COUNT; i++)
+        input->texel[i] = vec3_of(maps + 3 * i);
+}
+
 // What the corners hand on, interpolated; uv from the vertices too.
+static struct sb_vec3 gouraud(const struct sb_ref_shading *shading,
+                              struct sb_ref_cover at, const double weight[3],
+                              const struct sb_ref_shade *const corner[3],
+                              const float *maps)
+{
+    struct sb_ref_input input = sb_ref_geometry_input(shading->geometry, at, weight);
+    struct sb_ref_shade shade = {0};
+    take_texels(&input, maps);
+    for (int i = 0; i < 3; i++) {
+        shade.diffuse =
+            sb_vec3_add(shade.diffuse, sb_vec3_scale(corner[i]->diffuse, weight[i]));
+        shade.specular =
+            sb_vec3_add(shade.specular, sb_vec3_scale(corner[i]->specular, weight[i]));
+    }
+    return sb_ref_colour(shading, &shade, &input);
+}
+
 static void gouraud_pixel(struct work *work, int x, int y, struct sb_ref_cover at,
-                          const double weight[3])
+                          const double weight[3], const float *maps)
 {
     const struct sb_ref_ground *ground = work->ground;
-    const struct sb_ref_input input = sb_ref_geometry_input(ground->geometry, at, weight);
-    struct sb_ref_shade shade = {0};
+    const struct sb_ref_shade *shade[3];
     int corner[3];
     sb_ref_geometry_corners(ground->geometry, at, corner);
-    for (int i = 0; i < 3; i++) {
-        const struct sb_ref_shade *own =
-            &work->picture->vertex[ground->first_vertex[at.draw] + corner[i]];
-        shade.diffuse =
-            sb_vec3_add(shade.diffuse, sb_vec3_scale(own->diffuse, weight[i]));
-        shade.specular =
-            sb_vec3_add(shade.specular, sb_vec3_scale(own->specular, weight[i]));
-    }
-    put(work->picture, x, y, sb_ref_colour(&work->lighting.shading, &shade, input.uv), 0);
+    for (int i = 0; i < 3; i++)
+        shade[i] = &work->picture->vertex[ground->first_vertex[at.draw] + corner[i]];
+    put(work->picture, x, y, gouraud(&work->lighting.shading, at, weight, shade, maps),
+        0);
 }
 
 static void lit_pixel(struct work *work, int x, int y, int draw,
@@ -233,7 +251,7 @@ static void lit_pixel(struct work *work, int x, int y, int draw,
     const struct sb_ref_shading *shading = &work->lighting.shading;
     struct sb_ref_shade shade;
     sb_ref_shade(shading, input, material_of(work->ground, draw), &shade, NULL);
-    put(work->picture, x, y, sb_ref_colour(shading, &shade, input->uv), shade.decisions);
+    put(work->picture, x, y, sb_ref_colour(shading, &shade, input), shade.decisions);
 }
 
 static void model_pixel(struct work *work, int x, int y)
@@ -247,7 +265,7 @@ static void model_pixel(struct work *work, int x, int y)
     } else if (!sb_ref_geometry_weights(ground->geometry, at, x, y, weight)) {
         return; // seen edge-on
     } else if (work->per_vertex) {
-        gouraud_pixel(work, x, y, at, weight);
+        gouraud_pixel(work, x, y, at, weight, NULL);
     } else {
         struct sb_ref_input input = sb_ref_geometry_input(ground->geometry, at, weight);
         input = to_lighting(&work->lighting, &input);
@@ -255,7 +273,8 @@ static void model_pixel(struct work *work, int x, int y)
     }
 }
 
-static struct sb_ref_input given_input(const float *inputs, const float *frame)
+static struct sb_ref_input given_input(const float *inputs, const float *frame,
+                                       const float *maps)
 {
     struct sb_ref_input input = {
         .position = vec3_of(inputs),
@@ -266,10 +285,16 @@ static struct sb_ref_input given_input(const float *inputs, const float *frame)
         input.tangent = vec3_of(frame);
         input.bitangent = vec3_of(frame + 3);
     }
+    take_texels(&input, maps);
     return input;
 }
 
 enum { PROBE_COLOUR_CHANNELS = 4 }; // before the values of the page
+
+static const float *page_at(const struct sb_image *image, int x, int y)
+{
+    return image ? sb_image_at(image, x, y) + PROBE_COLOUR_CHANNELS : NULL;
+}
 
 static void given_pixel(struct work *work, int x, int y)
 {
@@ -284,12 +309,11 @@ static void given_pixel(struct work *work, int x, int y)
     } else if (work->per_vertex) {
         const double second = seen_by_driver[2], third = seen_by_driver[3];
         const double weight[3] = {1 - second - third, second, third};
-        gouraud_pixel(work, x, y, at, weight);
+        gouraud_pixel(work, x, y, at, weight, page_at(given->maps, x, y));
     } else {
-        const struct sb_ref_input input = given_input(
-            sb_image_at(given->inputs, x, y) + PROBE_COLOUR_CHANNELS,
-            given->frame ? sb_image_at(given->frame, x, y) + PROBE_COLOUR_CHANNELS
-                         : NULL);
+        const struct sb_ref_input input =
+            given_input(page_at(given->inputs, x, y), page_at(given->frame, x, y),
+                        page_at(given->maps, x, y));
         lit_pixel(work, x, y, at.draw, &input);
     }
 }
@@ -378,7 +402,7 @@ static void point_at(const struct lighting *lighting, const struct sb_material *
                      : vec3_of(lighting->shading.scene->camera.eye);
     sb_ref_shade(&lighting->shading, &point->input, material, &point->shade,
                  point->terms);
-    point->colour = sb_ref_colour(&lighting->shading, &point->shade, point->input.uv);
+    point->colour = sb_ref_colour(&lighting->shading, &point->shade, &point->input);
 }
 
 bool sb_ref_ideal_at(const struct sb_ref_ground *ground, const struct sb_variant *variant,
@@ -398,12 +422,12 @@ bool sb_ref_ideal_at(const struct sb_ref_ground *ground, const struct sb_variant
 }
 
 void sb_ref_given_at(const struct sb_ref_ground *ground, const struct sb_variant *variant,
-                     int draw, const float *inputs, const float *frame,
+                     int draw, const float *inputs, const float *frame, const float *maps,
                      struct sb_ref_point *point)
 {
     struct lighting lighting;
     lighting_make(&lighting, ground, variant, GIVEN);
-    point->input = given_input(inputs, frame);
+    point->input = given_input(inputs, frame, maps);
     point_at(&lighting, material_of(ground, draw), point);
     free(lighting.light);
 }
@@ -418,4 +442,16 @@ void sb_ref_vertex_at(const struct sb_ref_ground *ground,
     point->input = to_lighting(&lighting, &point->input);
     point_at(&lighting, material_of(ground, draw), point);
     free(lighting.light);
+}
+
+struct sb_vec3 sb_ref_gouraud_at(const struct sb_ref_ground *ground,
+                                 const struct sb_variant *variant, struct sb_ref_cover at,
+                                 const double weight[3],
+                                 const struct sb_ref_shade *corner[3], const float *maps)
+{
+    struct lighting lighting;
+    lighting_make(&lighting, ground, variant, GIVEN);
+    const struct sb_vec3 colour = gouraud(&lighting.shading, at, weight, corner, maps);
+    free(lighting.light);
+    return colour;
 }

@@ -45,9 +45,10 @@ void sb_ref_model(const struct sb_ref_ground *ground, const struct sb_variant *v
 
 // The same on what a driver interpolated, lights as they were uploaded: pictures of the ground's
 // size, as a runner gives them. Lit per fragment from `inputs` and `frame` (pages of
-// SB_IMAGE_PROBE; `frame` NULL: no normal map), per vertex from the weights of `geometry`.
+// SB_IMAGE_PROBE; `frame` NULL: no normal map), per vertex from the weights of `geometry`. Of both
+// `maps`, SB_PROBE_MAPS of each pixel, has the texels; NULL: the reference samples by itself.
 struct sb_ref_given {
-    const struct sb_image *geometry, *inputs, *frame;
+    const struct sb_image *geometry, *inputs, *frame, *maps;
 };
 void sb_ref_given(const struct sb_ref_ground *ground, const struct sb_variant *variant,
                   const struct sb_ref_given *given, struct sb_ref_picture *picture);
@@ -63,11 +64,17 @@ struct sb_ref_point {
 bool sb_ref_ideal_at(const struct sb_ref_ground *ground, const struct sb_variant *variant,
                      int x, int y, struct sb_ref_point *point);
 // Of a program that is lit per fragment, from 12 values of SB_PROBE_INPUTS and, with a normal map,
-// of SB_PROBE_FRAME.
+// of SB_PROBE_FRAME. `maps`: 12 of SB_PROBE_MAPS; NULL: the reference samples by itself.
 void sb_ref_given_at(const struct sb_ref_ground *ground, const struct sb_variant *variant,
-                     int draw, const float *inputs, const float *frame,
+                     int draw, const float *inputs, const float *frame, const float *maps,
                      struct sb_ref_point *point);
 // One vertex of a lit draw, as the variant's lights see it.
 void sb_ref_vertex_at(const struct sb_ref_ground *ground,
                       const struct sb_variant *variant, int draw, int vertex,
                       struct sb_ref_point *point);
+// The colour of a pixel of a program that is lit per vertex, from what the corners of its triangle
+// hand on and a driver's weights; `maps` as above.
+struct sb_vec3 sb_ref_gouraud_at(const struct sb_ref_ground *ground,
+                                 const struct sb_variant *variant, struct sb_ref_cover at,
+                                 const double weight[3],
+                                 const struct sb_ref_shade *corner[3], const float *maps);

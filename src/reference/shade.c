@@ -131,18 +131,19 @@ void sb_ref_shade(const struct sb_ref_shading *shading, const struct sb_ref_inpu
 }
 
 struct sb_vec3 sb_ref_colour(const struct sb_ref_shading *shading,
-                             const struct sb_ref_shade *shade, const double uv[2])
+                             const struct sb_ref_shade *shade,
+                             const struct sb_ref_input *input)
 {
     const struct sb_ref_choice choice = sb_ref_choose(shading);
-    const struct sb_texture *map = shading->scene->map;
     struct sb_vec3 diffuse = shade->diffuse, specular = shade->specular;
     if (choice.maps[SB_MAP_DIFFUSE]) {
-        const struct sb_vec3 texel = sb_ref_texture(&map[SB_MAP_DIFFUSE], uv);
+        const struct sb_vec3 texel = sb_ref_texel(shading, input, SB_MAP_DIFFUSE);
         diffuse = sb_ref_product(diffuse, texel);
         if (choice.slips == SB_SOURCE_SHADOWS) // it tints highlights
             specular = sb_ref_product(specular, texel);
     }
     if (choice.maps[SB_MAP_SPECULAR])
-        specular = sb_ref_product(specular, sb_ref_texture(&map[SB_MAP_SPECULAR], uv));
+        specular =
+            sb_ref_product(specular, sb_ref_texel(shading, input, SB_MAP_SPECULAR));
     return sb_vec3_add(diffuse, specular);
 }

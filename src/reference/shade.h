@@ -67,9 +67,10 @@ void sb_ref_shade(const struct sb_ref_shading *shading, const struct sb_ref_inpu
                   const struct sb_material *material, struct sb_ref_shade *shade,
                   struct sb_ref_terms *terms);
 
-// The colour of the pixel: maps at uv applied to what leaves the surface.
+// The colour of the pixel: the maps of `input` applied to what leaves the surface.
 struct sb_vec3 sb_ref_colour(const struct sb_ref_shading *shading,
-                             const struct sb_ref_shade *shade, const double uv[2]);
+                             const struct sb_ref_shade *shade,
+                             const struct sb_ref_input *input);
 
 // A texture at uv as OpenGL defines it: repeated, bilinear at full size (OpenGL 4.6 core,
 // 8.14.2 and 8.14.3), in double.

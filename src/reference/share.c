@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/hash.h"
+#include "reference/parts.h"
 
 // Scene axes that change no pixel of the first frame.
 static bool is_unseen(int axis)
@@ -54,9 +55,20 @@ uint64_t sb_ref_model_key(const struct sb_axes *axes, const struct sb_variant *v
 
 bool sb_ref_needs_frame(const struct sb_variant *variant)
 {
-    const int maps = (int)variant->value[SB_AXIS_MAPS];
-    return maps == SB_MAPS_N || maps == SB_MAPS_DN || maps == SB_MAPS_SN ||
-           maps == SB_MAPS_DSN;
+    return sb_ref_needs_map(variant, SB_MAP_NORMAL);
+}
+
+bool sb_ref_needs_map(const struct sb_variant *variant, enum sb_map map)
+{
+    return sb_ref_maps_of(variant)[map];
+}
+
+bool sb_ref_needs_maps(const struct sb_variant *variant)
+{
+    for (int map = 0; map < SB_MAP_COUNT; map++)
+        if (sb_ref_needs_map(variant, (enum sb_map)map))
+            return true;
+    return false;
 }
 
 bool sb_ref_mixes_edges(const struct sb_variant *variant)

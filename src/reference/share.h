@@ -19,5 +19,9 @@ bool sb_ref_stands_for_sphere(const struct sb_scene *scene);
 // Does the lighting read the tangent frame?
 bool sb_ref_needs_frame(const struct sb_variant *variant);
 
+// Does the picture read this map; does it read any?
+bool sb_ref_needs_map(const struct sb_variant *variant, enum sb_map map);
+bool sb_ref_needs_maps(const struct sb_variant *variant);
+
 // May only pixels that lie in one triangle be compared, since the others mix several?
 bool sb_ref_mixes_edges(const struct sb_variant *variant);

@@ -38,8 +38,7 @@ static struct sb_vec3 eye(const struct sb_ref_shading *shading,
 static struct sb_vec3 mapped(const struct sb_ref_shading *shading,
                              const struct sb_ref_input *input, struct sb_vec3 normal)
 {
-    const struct sb_vec3 texel =
-        sb_ref_texture(&shading->scene->map[SB_MAP_NORMAL], input->uv);
+    const struct sb_vec3 texel = sb_ref_texel(shading, input, SB_MAP_NORMAL);
     const struct sb_vec3 t = sb_ref_unit(input->tangent);
     const struct sb_vec3 b = sb_ref_unit(input->bitangent);
     const struct sb_vec3 along =

@@ -39,3 +39,10 @@ struct sb_vec3 sb_ref_texture(const struct sb_texture *texture, const double uv[
     const struct sb_vec3 sum = between(low, high, y.share);
     return (struct sb_vec3){sum.x / 255, sum.y / 255, sum.z / 255};
 }
+
+struct sb_vec3 sb_ref_texel(const struct sb_ref_shading *shading,
+                            const struct sb_ref_input *input, enum sb_map map)
+{
+    return input->sampled ? input->texel[map]
+                          : sb_ref_texture(&shading->scene->map[map], input->uv);
+}
