@@ -5,6 +5,7 @@
 VARYING_IN P_VARYING vec2 v_uv;
 DECLARE_O_COLOR
 
+#include "probe/$(PROBE).frag"
 #include "maps/$(MAPS).glsl"
 #include "stage/$(STAGE).frag"
 
@@ -16,4 +17,5 @@ void main()
     IF_TINTED(shade.specular *= diffuse_map(v_uv);)
     IF_SPECULAR(shade.diffuse += shade.specular;)
     o_color = vec4(shade.diffuse, 1.0);
+    PROBE_PIXEL_OUT
 }

@@ -3,5 +3,7 @@ uniform SAMPLER2D u_diffuse_map;
 
 P_SAMPLER vec3 diffuse_map(P_VARYING vec2 uv)
 {
-    return TEXTURE(u_diffuse_map, uv).rgb;
+    P_SAMPLER vec3 texel = TEXTURE(u_diffuse_map, uv).rgb;
+    PROBE_MAP(MAP_DIFFUSE, texel)
+    return texel;
 }

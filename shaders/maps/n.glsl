@@ -3,5 +3,7 @@ uniform SAMPLER2D u_normal_map;
 
 P_SAMPLER vec3 normal_map(P_VARYING vec2 uv)
 {
-    return TEXTURE(u_normal_map, uv).rgb * 2.0 - 1.0;
+    P_SAMPLER vec3 texel = TEXTURE(u_normal_map, uv).rgb;
+    PROBE_MAP(MAP_NORMAL, texel)
+    return texel * 2.0 - 1.0;
 }

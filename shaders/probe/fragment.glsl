@@ -1,4 +1,4 @@
-// Where the page goes with stage=fragment: into targets beside that of o_color.
+// Where the page of a fragment goes: into targets beside that of o_color.
 layout(location = 1) out highp vec4 o_probe0;
 layout(location = 2) out highp vec4 o_probe1;
 layout(location = 3) out highp vec4 o_probe2;

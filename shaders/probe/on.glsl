@@ -1,6 +1,7 @@
 // PROBE=on: the program "probe" computes what "shade" does and tells what came of it
 // (docs/glsl.md, "Probes"). Where a value is made it is only kept, and looked at when its light
 // is done: whatever stands in a branch may move a compiler to treat that branch differently.
+#include "probe/page.glsl"
 #include "probe/$(STAGE).glsl"
 
 #define TERM_DISTANCE        0
@@ -15,13 +16,9 @@
 #define TERM_VIEW            12 // of no light: told as of the first one
 #define TERM_NORMAL          13
 
-// Place p of a page.
-#define PROBE_AT(page, p) page[p / 4][p % 4]
-
 // The terms of a light that has none of its own.
 #define PROBE_UNTOLD mat3x4(0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
-uniform highp int u_probe_page;  // 0: inputs, 1: frame, 2: light
 uniform highp int u_probe_light; // of the whole list
 
 highp mat3x4 probe_inputs = mat3x4(0.0);
@@ -37,13 +34,6 @@ highp int probe_first_light = 0;
 highp uint probe_decisions = 0u;
 bool probe_cuts = false;   // highlights of that light are cut behind the surface,
 bool probe_reached = true; // and are not here
-
-void probe_put(inout highp mat3x4 page, highp int place, highp vec3 value)
-{
-    page[place / 4][place % 4] = value.x;
-    page[(place + 1) / 4][(place + 1) % 4] = value.y;
-    page[(place + 2) / 4][(place + 2) % 4] = value.z;
-}
 
 void probe_inputs_are(highp vec3 position, highp vec3 normal, highp vec2 uv)
 {

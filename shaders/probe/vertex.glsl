@@ -1,4 +1,4 @@
-// Where the page goes with stage=vertex: into a buffer, by transform feedback.
+// Where the page of a vertex goes: into a buffer, by transform feedback.
 out highp vec4 v_probe0;
 out highp vec4 v_probe1;
 out highp vec4 v_probe2;

@@ -106,10 +106,10 @@ struct sb_image_request {
         // second and third vertex
         SB_IMAGE_PROBE_COLOUR, // 4 channels, in the widest format: what the program "probe"
                                // draws, which must be what "shade" draws, bit for bit
-        // 16 channels. Lit per fragment: for each pixel the colour (4), then the 12 values of
-        // `page`. Lit per vertex: one row of all vertices of all lit draws, in the order of draws
-        // and of their meshes' vertices: the diffuse light that the vertex hands on (3), 0, then
-        // the page.
+        // 16 channels. Lit per fragment, and of SB_PROBE_MAPS always: for each pixel the colour (4),
+        // then the 12 values of `page`. Lit per vertex: one row of all vertices of all lit draws,
+        // in the order of draws and of their meshes' vertices: the diffuse light that the vertex
+        // hands on (3), 0, then the page.
         SB_IMAGE_PROBE,
     } kind; // of the last two SB_BAD_INPUT where the job has no program "probe"; they have
             // one sample a pixel, whatever the job has
@@ -126,9 +126,13 @@ struct sb_image_request {
         // light (3) [9] factor on its diffuse colour [10] factor on its specular colour
         // [11] 1 where the shader came to this light
         SB_PROBE_LIGHT,
+        // what lookups in the maps gave, in the precision of their results: [0] diffuse (3),
+        // [3] specular (3), [6] normal (3) before * 2 - 1, [9] 0; 0 of a map that the
+        // pixel had no use for
+        SB_PROBE_MAPS,
     } page;
     int light;      // SB_PROBE_LIGHT
-    bool one_pixel; // SB_IMAGE_PROBE per fragment: only pixel (x, y), an image of 1 x 1
+    bool one_pixel; // SB_IMAGE_PROBE of pixels: only pixel (x, y), an image of 1 x 1
     int x, y;
     int caster;        // SB_IMAGE_SHADOW: number of the point light
     int width, height; // 0: the job's own

@@ -66,7 +66,7 @@ static void ask(const struct sb_local_job *job, const struct sb_image_request *r
     glUniform1i(glGetUniformLocation(program, "u_probe_light"), request->light);
 }
 
-// --- lit per fragment --------------------------------------------------------------------
+// --- pixels -----------------------------------------------------------------------------
 
 static bool has_float_targets(const struct sb_local *local, struct sb_error *err)
 {
@@ -160,7 +160,7 @@ static bool colour(struct sb_local *local, struct sb_local_job *job,
     return ok;
 }
 
-// --- lit per vertex ----------------------------------------------------------------------
+// --- vertices ---------------------------------------------------------------------------
 
 static void put_vertex(const float *captured, enum sb_probe_page page, float *to)
 {
@@ -206,7 +206,8 @@ bool sb_local_probe_image(struct sb_local *local, struct sb_local_job *job,
     ask(job, request);
     if (request->kind == SB_IMAGE_PROBE_COLOUR)
         return colour(local, job, request, image, err);
-    if (sb_lit_per_vertex(&job->variant))
+    // Maps are read by fragments, wherever they are lit.
+    if (sb_lit_per_vertex(&job->variant) && request->page != SB_PROBE_MAPS)
         return vertices(local, job, request, image, err);
     return pixels(local, job, request, image, err);
 }

@@ -14,11 +14,6 @@ int64_t sb_capture_vertices(const struct sb_scene *scene)
     return count;
 }
 
-bool sb_capture_is_lit(const struct sb_variant *variant)
-{
-    return variant->value[SB_AXIS_STAGE] == SB_STAGE_VERTEX;
-}
-
 // Points, so that each vertex comes once, and in the order of the buffer.
 static void draw_points(const struct sb_binding *binding, int64_t *calls)
 {

@@ -180,9 +180,6 @@ bool sb_blank_program_make(struct sb_gl_program *program, bool gles,
 // Vertices of the meshes of all lit draws, each mesh as often as it is drawn.
 int64_t sb_capture_vertices(const struct sb_scene *scene);
 
-// Is the variant lit per vertex, so that what lights it is handed on?
-bool sb_capture_is_lit(const struct sb_variant *variant);
-
 struct sb_capture_params {
     const struct sb_binding *binding; // of a program made by sb_gl_program_make_captured
     const struct sb_shadow *shadow;   // maps that `binding` looks up; NULL: none

@@ -19,6 +19,7 @@ int main(void)
         cmocka_unit_test(a_light_on_the_surface_is_not_finite_in_naive_forms),
         cmocka_unit_test(negative_terms_are_counted),
         cmocka_unit_test(frames_of_normal_maps_are_told),
+        cmocka_unit_test(texels_are_told_as_they_were_looked_up),
         cmocka_unit_test(vertices_tell_what_they_hand_on),
     };
     struct sb_error err = {0};

@@ -220,8 +220,8 @@ void one_pixel_tells_what_the_whole_picture_tells(void **state)
 {
     (void)state;
     struct probe_job job;
-    assert_true(job_make(&job, MIX "cone=hard"));
-    for (int page = SB_PROBE_INPUTS; page <= SB_PROBE_LIGHT; page++) {
+    assert_true(job_make(&job, MIX "cone=hard maps=diffuse+specular"));
+    for (int page = SB_PROBE_INPUTS; page <= SB_PROBE_MAPS; page++) {
         struct sb_image all;
         job_page(&job, (enum sb_probe_page)page, 3, &all);
         for (int i = 0; i < 24; i++) {

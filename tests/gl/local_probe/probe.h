@@ -63,4 +63,5 @@ void decisions_are_hashed_in_order(void **state);
 void a_light_on_the_surface_is_not_finite_in_naive_forms(void **state);
 void negative_terms_are_counted(void **state);
 void frames_of_normal_maps_are_told(void **state);
+void texels_are_told_as_they_were_looked_up(void **state);
 void vertices_tell_what_they_hand_on(void **state);
