@@ -102,7 +102,10 @@ static json_t *light_json(const struct sb_explained_light *light,
 
 // --- where it is lit -----------------------------------------------------------------------
 
-static json_t *maps(const struct sb_explanation *explanation, const double uv[2])
+// The maps that the variant reads. `told`: as the driver sampled them; NULL: as they are at uv.
+static json_t *maps(const struct sb_explanation *explanation,
+                    const struct sb_variant *variant, const float *told,
+                    const double uv[2])
 {
     static const char *const names[SB_MAP_COUNT] = {
         [SB_MAP_DIFFUSE] = "diffuse",
@@ -110,12 +113,23 @@ static json_t *maps(const struct sb_explanation *explanation, const double uv[2]
         [SB_MAP_NORMAL] = "normal",
     };
     json_t *object = json_object();
-    for (int m = 0; m < SB_MAP_COUNT; m++)
-        if (explanation->truth.scene->map[m].texel)
-            json_object_set_new(
-                object, names[m],
-                vector(sb_ref_texture(&explanation->truth.scene->map[m], uv)));
+    for (int m = 0; m < SB_MAP_COUNT; m++) {
+        const struct sb_texture *map = &explanation->truth.scene->map[m];
+        if (sb_ref_needs_map(variant, (enum sb_map)m))
+            json_object_set_new(object, names[m],
+                                told ? floats(told + 3 * m, 3)
+                                     : vector(sb_ref_texture(map, uv)));
+    }
     return object;
+}
+
+static void add_maps(json_t *object, const struct sb_explanation *explanation,
+                     const struct sb_variant *variant, const float *told,
+                     const double uv[2])
+{
+    if (told)
+        json_object_set_new(object, "maps", maps(explanation, variant, told, uv));
+    json_object_set_new(object, "maps_exact", maps(explanation, variant, NULL, uv));
 }
 
 static json_t *inputs(const struct sb_explained_point *point,
@@ -144,7 +158,9 @@ static json_t *point_json(const struct sb_explanation *explanation, int number_o
     if (point->vertex >= 0)
         json_object_set_new(object, "vertex", json_integer(point->vertex));
     json_object_set_new(object, "inputs", inputs(point, variant));
-    json_object_set_new(object, "maps", maps(explanation, point->reference.input.uv));
+    if (explanation->has_maps) // a corner has none that a driver sampled
+        add_maps(object, explanation, variant,
+                 point->vertex < 0 ? explanation->maps : NULL, point->reference.input.uv);
     json_object_set_new(object, "view_vector",
                         json_pack("{so so}", "reference", vector(shade->view), "driver",
                                   floats(&point->frame[6], 3)));
@@ -212,6 +228,9 @@ json_t *sb_explanation_json(const struct sb_explanation *explanation,
         json_object_set_new(object, "eye", vector(explanation->point[0].reference.eye));
         json_object_set_new(object, "scene_ambient", floats(scene->ambient, 3));
         json_object_set_new(object, "material", material(explanation->material));
+        if (explanation->has_maps && explanation->point_count > 1)
+            add_maps(object, explanation, variant, explanation->maps,
+                     explanation->exact.uv);
         for (int i = 0; i < explanation->point_count; i++)
             json_array_append_new(points, point_json(explanation, i, variant));
         json_object_set_new(object, explanation->point_count == 1 ? "fragment" : "corner",

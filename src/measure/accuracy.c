@@ -16,7 +16,7 @@ enum { TERM_LIGHTS = 64 }; // that are looked at for the term that went wrong
 
 // All that is drawn of a task, at one size.
 struct pictures {
-    struct sb_image own, wide, geometry, probe_colour, inputs, frame;
+    struct sb_image own, wide, geometry, probe_colour, inputs, frame, maps;
     int full_width; // of the task's own picture
 };
 
@@ -28,6 +28,7 @@ static void pictures_free(struct pictures *pictures)
     sb_image_free(&pictures->probe_colour);
     sb_image_free(&pictures->inputs);
     sb_image_free(&pictures->frame);
+    sb_image_free(&pictures->maps);
 }
 
 struct drawing {
@@ -80,6 +81,26 @@ static bool same_bits(const struct sb_image *a, const struct sb_image *b)
     return memcmp(a->data, b->data, bytes) == 0;
 }
 
+static bool draw_pages(const struct drawing *drawing, struct pictures *pictures,
+                       struct sb_error *err)
+{
+    const struct sb_variant *variant = &drawing->task->assembly.job.variant;
+    const struct {
+        enum sb_probe_page page;
+        bool needed;
+        struct sb_image *image;
+    } pages[] = {
+        {SB_PROBE_INPUTS, true, &pictures->inputs},
+        {SB_PROBE_FRAME, sb_ref_needs_frame(variant), &pictures->frame},
+        {SB_PROBE_MAPS, sb_ref_needs_maps(variant), &pictures->maps},
+    };
+    for (size_t i = 0; i < sizeof pages / sizeof *pages; i++)
+        if (pages[i].needed &&
+            !draw(drawing, SB_IMAGE_PROBE, pages[i].page, false, pages[i].image, err))
+            return false;
+    return true;
+}
+
 // What the instrumented program tells. False: nothing, and *err says why; where it is that it
 // draws another picture, with SB_INSTRUMENTATION.
 static bool draw_probe(const struct drawing *drawing, struct pictures *pictures,
@@ -96,10 +117,7 @@ static bool draw_probe(const struct drawing *drawing, struct pictures *pictures,
             "nothing is known of inputs and raw terms",
             difference.pixels, difference.max);
     }
-    return draw(drawing, SB_IMAGE_PROBE, SB_PROBE_INPUTS, false, &pictures->inputs,
-                err) &&
-           (!sb_ref_needs_frame(&drawing->task->assembly.job.variant) ||
-            draw(drawing, SB_IMAGE_PROBE, SB_PROBE_FRAME, false, &pictures->frame, err));
+    return draw_pages(drawing, pictures, err);
 }
 
 // --- the numbers -------------------------------------------------------------------------
@@ -166,6 +184,7 @@ static bool measure_split(struct drawing *drawing, struct sb_truths *truths,
         .geometry = &pictures->geometry,
         .inputs = &pictures->inputs,
         .frame = pictures->frame.data ? &pictures->frame : NULL,
+        .maps = pictures->maps.data ? &pictures->maps : NULL,
     };
     if (probed)
         sb_ref_given(truth->ground, variant, &inputs, &given);

@@ -64,7 +64,7 @@ static bool draw_page(const struct source *source, enum sb_probe_page page, int 
         .kind = SB_IMAGE_PROBE,
         .page = page,
         .light = light,
-        .one_pixel = !source->per_vertex,
+        .one_pixel = !source->per_vertex || page == SB_PROBE_MAPS,
         .x = source->params->x,
         .y = source->params->y,
     };
@@ -117,6 +117,21 @@ static bool read_inputs(const struct source *source, struct sb_explanation *expl
     sb_image_free(&inputs);
     sb_image_free(&frame);
     return good;
+}
+
+static bool read_maps(const struct source *source, struct sb_explanation *explanation,
+                      struct sb_error *err)
+{
+    struct sb_image image = {0};
+    explanation->has_maps =
+        sb_ref_needs_maps(&source->params->task->assembly.job.variant);
+    if (!explanation->has_maps)
+        return true;
+    if (!draw_page(source, SB_PROBE_MAPS, 0, &image, err))
+        return false;
+    memcpy(explanation->maps, image.data + PAGE, sizeof explanation->maps);
+    sb_image_free(&image);
+    return true;
 }
 
 // --- side by side ------------------------------------------------------------------------
@@ -194,6 +209,7 @@ static void evaluate(const struct sb_explain_params *params,
     if (point->vertex < 0)
         sb_ref_given_at(ground, variant, explanation->draw, point->inputs,
                         sb_ref_needs_frame(variant) ? point->frame : NULL,
+                        explanation->has_maps ? explanation->maps : NULL,
                         &point->reference);
     else
         sb_ref_vertex_at(ground, variant, explanation->draw, point->vertex,
@@ -238,13 +254,29 @@ static void take_colours(struct sb_explanation *explanation)
            sizeof explanation->ideal);
     memcpy(explanation->model, sb_image64_at(&truth->model->colour, x, y),
            sizeof explanation->model);
-    if (explanation->point_count == 1) {
-        const struct sb_vec3 given = explanation->point[0].reference.colour;
-        memcpy(explanation->given, (double[3]){given.x, given.y, given.z},
-               sizeof explanation->given);
-    } else {
-        memcpy(explanation->given, explanation->model, sizeof explanation->given);
+    memcpy(explanation->given, explanation->model, sizeof explanation->given);
+}
+
+// What the reference makes of what the driver had, once the points are evaluated.
+static void take_given(const struct sb_explain_params *params,
+                       struct sb_explanation *explanation)
+{
+    const struct sb_explained_point *point = explanation->point;
+    struct sb_vec3 given = point->reference.colour;
+    if (explanation->point_count == 3) {
+        const struct sb_ref_cover at = {explanation->draw, explanation->triangle};
+        const struct sb_ref_shade *corner[3];
+        double weight[3];
+        for (int i = 0; i < 3; i++) {
+            corner[i] = &point[i].reference.shade;
+            weight[i] = explanation->driver_weight[i];
+        }
+        given = sb_ref_gouraud_at(explanation->truth.ground,
+                                  &params->task->assembly.job.variant, at, weight, corner,
+                                  explanation->has_maps ? explanation->maps : NULL);
     }
+    memcpy(explanation->given, (double[3]){given.x, given.y, given.z},
+           sizeof explanation->given);
 }
 
 // Significant bits of the least precise format that a term of the lighting is computed in.
@@ -320,13 +352,13 @@ bool sb_explain(const struct sb_explain_params *params,
     if (params->light_max > 0 && explanation->light_count > params->light_max)
         explanation->light_count = params->light_max;
     locate(&source, explanation);
-    if (!read_inputs(&source, explanation, err))
+    if (!read_inputs(&source, explanation, err) || !read_maps(&source, explanation, err))
         return false;
     for (int i = 0; i < explanation->point_count; i++) {
         list_lights(params, explanation, &explanation->point[i]);
         evaluate(params, explanation, &explanation->point[i]);
     }
-    take_colours(explanation);
+    take_given(params, explanation);
     return read_lights(&source, explanation, err);
 }
 

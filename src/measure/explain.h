@@ -58,6 +58,8 @@ struct sb_explanation {
     int light_count, bits; // bits: significant, of the effective precision
     int point_count;       // 1, or 3 vertices
     struct sb_explained_point point[3];
+    bool has_maps;  // the variant reads any
+    float maps[12]; // then SB_PROBE_MAPS of the pixel, wherever it is lit
     double ideal[3], model[3], given[3];
     float wide[4], own[4];                    // as floats, and in the target's format
     int wrong_point, wrong_light, wrong_term; // the first that went wrong; -1: none
