@@ -57,7 +57,7 @@ static void check_programs(const char *words, const char *const *roles, int coun
     folder_free(&folder);
 }
 
-static void a_probe_is_the_lit_program_told_apart_by_a_define(void **state)
+static void probes_are_the_lit_program_told_apart_by_a_define(void **state)
 {
     (void)state;
     struct sb_assembly plain, probed;
@@ -65,7 +65,7 @@ static void a_probe_is_the_lit_program_told_apart_by_a_define(void **state)
     assemble("point=1 lamps=on", &plain);
     const struct assembling from = {.words = "point=1 lamps=on", .probe = true};
     assert_true(assemble_from(&from, &probed, &err));
-    assert_int_equal(probed.job.program_count, plain.job.program_count + 1);
+    assert_int_equal(probed.job.program_count, plain.job.program_count + 2);
     assert_int_equal(probed.source_hash, plain.source_hash);
     for (int i = 0; i < plain.job.program_count; i++) {
         assert_string_equal(plain.job.program[i].vertex, probed.job.program[i].vertex);
@@ -78,6 +78,11 @@ static void a_probe_is_the_lit_program_told_apart_by_a_define(void **state)
     check_contains(probe->fragment, "#define PROBE on\n");
     check_contains(probe->fragment, "o_probe0");
     assert_null(strstr(probed.job.program[0].fragment, "o_probe0"));
+    const struct sb_program *inputs = probe + 1;
+    assert_string_equal(inputs->role, "inputs");
+    check_contains(inputs->fragment, "#define PROBE inputs\n");
+    check_contains(inputs->fragment, "o_probe0");
+    assert_null(strstr(inputs->fragment, "u_probe_light"));
     sb_assembly_free(&plain);
     sb_assembly_free(&probed);
 }
@@ -215,7 +220,7 @@ static void a_file_that_is_missing_is_named(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_probe_is_the_lit_program_told_apart_by_a_define),
+        cmocka_unit_test(probes_are_the_lit_program_told_apart_by_a_define),
         cmocka_unit_test(glsl_es_1_00_has_no_probe),
         cmocka_unit_test(a_job_has_the_programs_that_it_draws_with_the_lit_one_first),
         cmocka_unit_test(the_job_points_to_what_was_asked_for),

@@ -1,8 +1,7 @@
 // PROBE=on: the program "probe" computes what "shade" does and tells what came of it
 // (docs/glsl.md, "Probes"). Where a value is made it is only kept, and looked at when its light
 // is done: whatever stands in a branch may move a compiler to treat that branch differently.
-#include "probe/page.glsl"
-#include "probe/$(STAGE).glsl"
+#include "probe/given.glsl"
 
 #define TERM_DISTANCE        0
 #define TERM_ATTENUATION     1
@@ -21,8 +20,6 @@
 
 uniform highp int u_probe_light; // of the whole list
 
-highp mat3x4 probe_inputs = mat3x4(0.0);
-highp mat3x4 probe_frame = mat3x4(0.0);
 highp mat3x4 probe_light = mat3x4(0.0); // u_probe_light's
 highp mat3x4 probe_now = PROBE_UNTOLD;  // of the light that is being added
 highp vec4 probe_bare = vec4(0.0); // its first terms, before a bound that hides what they are
@@ -34,19 +31,6 @@ highp int probe_first_light = 0;
 highp uint probe_decisions = 0u;
 bool probe_cuts = false;   // highlights of that light are cut behind the surface,
 bool probe_reached = true; // and are not here
-
-void probe_inputs_are(highp vec3 position, highp vec3 normal, highp vec2 uv)
-{
-    probe_put(probe_inputs, 0, position);
-    probe_put(probe_inputs, 3, normal);
-    probe_put(probe_inputs, 6, vec3(uv, 0.0));
-}
-
-void probe_frame_is(highp vec3 tangent, highp vec3 bitangent)
-{
-    probe_put(probe_frame, 0, tangent);
-    probe_put(probe_frame, 3, bitangent);
-}
 
 void probe_decide(highp int outcome)
 {
@@ -164,8 +148,6 @@ void probe_tell()
 #define PROBE_DIRECTION(value) probe_put(probe_now, TERM_DIRECTION, value);
 #define PROBE_VIEW(value) probe_put(probe_frame, 6, value);
 #define PROBE_NORMAL(value) probe_put(probe_frame, 9, value);
-#define PROBE_INPUTS(position, normal, uv) probe_inputs_are(position, normal, uv);
-#define PROBE_FRAME(tangent, bitangent) probe_frame_is(tangent, bitangent);
 #define PROBE_DECIDED(outcome) probe_decided(outcome)
 #define PROBE_SIDE(outcome) probe_cuts = true; probe_reached = outcome;
 #define PROBE_SHOWN(share) probe_now[0][3] = share; probe_decide(int(16.0 * probe_now[0][3] + 0.5));

@@ -25,20 +25,20 @@ static bool check_api(const struct sb_variant *variant, const struct sb_caps *ca
 
 // --- programs --------------------------------------------------------------------------
 
-static const char *const role_names[SB_ROLE_COUNT] = {
-    [SB_ROLE_SHADE] = "shade",
-    [SB_ROLE_SHADOW] = "shadow",
-    [SB_ROLE_LAMP] = "lamp",
-    [SB_ROLE_PROBE] = "probe",
+static const struct {
+    const char *name, *stem, *probe; // what its files begin with; the value of PROBE
+} roles[SB_ROLE_COUNT] = {
+    [SB_ROLE_SHADE] = {"shade", "shade", "off"},
+    [SB_ROLE_SHADOW] = {"shadow", "shadow", "off"},
+    [SB_ROLE_LAMP] = {"lamp", "lamp", "off"},
+    [SB_ROLE_PROBE] = {"probe", "shade", "on"},
+    [SB_ROLE_INPUTS] = {"inputs", "shade", "inputs"},
 };
 
-// What their files begin with: the probe is the program "shade" with PROBE=on.
-static const char *const file_stems[SB_ROLE_COUNT] = {
-    [SB_ROLE_SHADE] = "shade",
-    [SB_ROLE_SHADOW] = "shadow",
-    [SB_ROLE_LAMP] = "lamp",
-    [SB_ROLE_PROBE] = "shade",
-};
+static bool is_timed(int role)
+{
+    return role < SB_ROLE_PROBE;
+}
 
 // Also the suffixes of the files that begin them. SB_STAGE_VERT is stage 0.
 static const char *const stage_names[] = {"vert", "geom", "frag"};
@@ -72,7 +72,7 @@ struct building {
 // Only what lights has terms of reduced precision.
 static bool emulates(const struct sb_variant *variant, enum sb_role role)
 {
-    return sb_is_emulated(variant) && (role == SB_ROLE_SHADE || role == SB_ROLE_PROBE);
+    return sb_is_emulated(variant) && role != SB_ROLE_SHADOW && role != SB_ROLE_LAMP;
 }
 
 static bool build_program(struct building *building, enum sb_role role,
@@ -84,13 +84,13 @@ static bool build_program(struct building *building, enum sb_role role,
     const bool emulated = emulates(variant, role);
     const struct sb_glsl_version *version =
         emulated ? sb_emulated_source_version(variant) : building->version;
-    sb_defines_probe(&building->defines, role == SB_ROLE_PROBE);
+    sb_defines_probe(&building->defines, roles[role].probe);
     sb_defines_family(&building->defines, version->family);
     building->glsl.version = version->text;
     for (int stage = 0; stage < STAGES; stage++) {
         if (!is_asked(variant, role, stage))
             continue;
-        building->glsl.file = sb_arena_printf(&assembly->arena, "%s.%s", file_stems[role],
+        building->glsl.file = sb_arena_printf(&assembly->arena, "%s.%s", roles[role].stem,
                                               stage_names[stage]);
         if (!sb_glsl_build(&building->glsl, &source[stage], err))
             return false;
@@ -103,14 +103,15 @@ static bool build_all(struct building *building, bool probe, struct sb_error *er
 {
     struct sb_assembly *assembly = building->assembly;
     const bool es100 = assembly->job.variant.value[SB_AXIS_GLSL] == SB_GLSL_100;
-    const int roles = probe && !es100 ? SB_ROLE_COUNT : SB_ROLE_PROBE;
     assembly->source_hash = SB_HASH_START;
-    for (int role = 0; role < roles; role++) {
+    for (int role = 0; role < SB_ROLE_COUNT; role++) {
+        if (!is_timed(role) && (!probe || es100))
+            continue;
         if (!build_program(building, (enum sb_role)role, err))
             return false;
         for (int stage = 0; stage < STAGES; stage++) {
             const struct sb_glsl_source *source = &assembly->source[role][stage];
-            if (role != SB_ROLE_PROBE && source->text)
+            if (is_timed(role) && source->text)
                 assembly->source_hash =
                     sb_hash(assembly->source_hash, &source->hash, sizeof source->hash);
         }
@@ -125,7 +126,7 @@ static void list_programs(struct sb_assembly *assembly)
         const struct sb_glsl_source *source = assembly->source[role];
         if (source[VERTEX].text)
             assembly->program[job->program_count++] = (struct sb_program){
-                .role = role_names[role],
+                .role = roles[role].name,
                 .vertex = source[VERTEX].text,
                 .geometry = source[GEOMETRY].text,
                 .fragment = source[FRAGMENT].text,

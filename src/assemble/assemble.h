@@ -17,7 +17,7 @@ struct sb_assemble_params {
     // The lights must be uniforms, whatever the variant says: so that a program that has them
     // as constants has a twin of the same class whose lights can be switched off.
     bool movable_lights;
-    // The program "probe" too. GLSL ES 1.00 has none: it has one output.
+    // The programs "probe" and "inputs" too. GLSL ES 1.00 has neither: it has one output.
     bool probe;
 };
 
@@ -25,19 +25,20 @@ enum sb_role {
     SB_ROLE_SHADE,
     SB_ROLE_SHADOW,
     SB_ROLE_LAMP,
-    SB_ROLE_PROBE,
+    SB_ROLE_PROBE, // those from here are drawn, but never timed
+    SB_ROLE_INPUTS,
     SB_ROLE_COUNT
 };
 
-// Owns the job's texts; the job points into it: do not move it. A job whose program "probe" is
-// to be drawn must be released first.
+// Owns the job's texts; the job points into it: do not move it. A job whose programs "probe" and
+// "inputs" are to be drawn must be released first.
 struct sb_assembly {
     struct sb_job job; // job.variant: with every `auto` decided
     struct sb_program program[SB_ROLE_COUNT];
     struct sb_glsl_source source[SB_ROLE_COUNT][3]; // vertex, geometry, fragment
-    uint64_t source_hash; // of all texts that are timed: not the probe's
-    bool lit_per_vertex;  // the lighting is evaluated in the vertex shader
-    bool lights_fixed;    // the lights are constants of the program
+    uint64_t source_hash;                           // of all texts that are timed
+    bool lit_per_vertex; // the lighting is evaluated in the vertex shader
+    bool lights_fixed;   // the lights are constants of the program
     // The program reads what nothing has set, as a source text does: its picture may be
     // anything, and cannot be judged.
     bool undefined;

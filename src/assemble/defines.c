@@ -184,9 +184,9 @@ static void set(struct sb_defines *defines, const char *name, const char *value)
     defines->row[row].value = value;
 }
 
-void sb_defines_probe(struct sb_defines *defines, bool on)
+void sb_defines_probe(struct sb_defines *defines, const char *value)
 {
-    set(defines, "PROBE", on ? "on" : "off");
+    set(defines, "PROBE", value);
 }
 
 void sb_defines_family(struct sb_defines *defines, const char *family)

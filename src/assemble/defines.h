@@ -22,8 +22,8 @@ bool sb_defines_make(struct sb_defines *defines, const struct sb_axes *axes,
                      const struct sb_variant *variant, const char *family,
                      struct sb_error *err);
 
-// PROBE is `off` after sb_defines_make; `on`: in the program of role "probe".
-void sb_defines_probe(struct sb_defines *defines, bool on);
+// PROBE is `off` after sb_defines_make; `on` and `inputs`: in the programs "probe" and "inputs".
+void sb_defines_probe(struct sb_defines *defines, const char *value);
 
 // Another GLSL_FAMILY than that of sb_defines_make.
 void sb_defines_family(struct sb_defines *defines, const char *family);

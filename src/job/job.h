@@ -33,8 +33,9 @@ struct sb_caps {
 struct sb_program { // final GLSL, by role
     const char
         *role; // "shade": the lit draws; "shadow": the shadow maps; "lamp": unlit draws;
-    // "probe": as shade, and it tells what it computed on the way; compiled when
-    // a picture of it is first asked for, and never timed
+    // "probe": as shade, and it tells what it computed on the way; "inputs": as
+    // shade, and it tells what it was given. Both are compiled when a picture of
+    // them is first asked for, and never timed
     const char *vertex, *geometry, *fragment; // geometry NULL: none
 };
 
@@ -42,8 +43,8 @@ struct sb_job {  // one variant ready to draw
     uint32_t id; // chosen by the caller, unique until released
     struct sb_variant variant;
     const char *scene; // generated again by the runner; hashes are compared
-    // The runner keeps the texts of the program "probe", which it compiles later: they must
-    // outlive the job. All others it has done with when prepare returns.
+    // The runner keeps the texts of the programs "probe" and "inputs", which it compiles later:
+    // they must outlive the job. All others it has done with when prepare returns.
     const struct sb_program *program;
     int program_count;
 };
@@ -111,8 +112,8 @@ struct sb_image_request {
         // in the order of draws and of their meshes' vertices: the diffuse light that the vertex
         // hands on (3), 0, then the page.
         SB_IMAGE_PROBE,
-    } kind; // of the last two SB_BAD_INPUT where the job has no program "probe"; they have
-            // one sample a pixel, whatever the job has
+    } kind; // of the last two SB_BAD_INPUT where the job has no such program; they have one
+            // sample a pixel, whatever the job has
     enum sb_probe_page {
         // [0] position (3), [3] normal (3) as interpolated, [6] uv, [8] non-finite values among
         // the raw terms, [9] negative ones that must not be, [10] the branches' hash (docs/glsl.md),
@@ -131,7 +132,11 @@ struct sb_image_request {
         // pixel had no use for
         SB_PROBE_MAPS,
     } page;
-    int light;      // SB_PROBE_LIGHT
+    int light; // SB_PROBE_LIGHT
+    // The last two kinds by the program "inputs", which disturbs a compiler less: it tells what
+    // the lighting is given, and 0 from place 8 of SB_PROBE_INPUTS and from place 6 of
+    // SB_PROBE_FRAME. SB_PROBE_LIGHT is SB_BAD_INPUT.
+    bool inputs_only;
     bool one_pixel; // SB_IMAGE_PROBE of pixels: only pixel (x, y), an image of 1 x 1
     int x, y;
     int caster;        // SB_IMAGE_SHADOW: number of the point light

@@ -32,7 +32,8 @@ static void job_free(struct sb_local *local, struct sb_local_job *job)
     sb_pool_ring_put(&local->pool, job->ring);
     sb_binding_free(&job->binding);
     sb_binding_free(&job->lamp);
-    sb_binding_free(&job->probe);
+    for (int i = 0; i < SB_LOCAL_PROBES; i++)
+        sb_binding_free(&job->probe[i].binding);
     sb_binding_free(&job->blank);
     sb_shadow_free(&job->shadow);
     for (int role = 0; role < SB_LOCAL_ROLE_COUNT; role++)

@@ -1,4 +1,4 @@
-// What the program "probe" draws and tells (docs/glsl.md, "Probes").
+// What the programs "probe" and "inputs" draw and tell (docs/glsl.md, "Probes").
 #include "local/state.h"
 
 #include <inttypes.h>
@@ -23,27 +23,41 @@ static bool bind(const struct sb_local_job *job, GLuint program,
     return sb_binding_make(binding, &params, err);
 }
 
-// Made once: a second picture finds it.
-static bool make(struct sb_local_job *job, struct sb_error *err)
+static enum sb_local_role role_of(const struct sb_image_request *request)
 {
-    if (job->probe.program != 0)
+    return request->inputs_only ? SB_LOCAL_INPUTS : SB_LOCAL_PROBE;
+}
+
+static struct sb_local_probe *probe_of(struct sb_local_job *job,
+                                       const struct sb_image_request *request)
+{
+    return &job->probe[role_of(request) - SB_LOCAL_PROBE];
+}
+
+// Made once: a second picture finds it.
+static bool make(struct sb_local_job *job, const struct sb_image_request *request,
+                 struct sb_error *err)
+{
+    const enum sb_local_role role = role_of(request);
+    struct sb_local_probe *probe = probe_of(job, request);
+    if (probe->binding.program != 0)
         return true;
-    if (!job->probe_source.role)
+    if (!probe->source.role)
         return sb_fail(err, SB_BAD_INPUT,
-                       "job %" PRIu32 " has no program for the role \"probe\": it was "
+                       "job %" PRIu32 " has no program for the role \"%s\": it was "
                        "assembled without one, or for GLSL ES 1.00, which has one output "
                        "only; valid: glsl other than 100",
-                       job->id);
-    if (!sb_local_compile_probe(job, err) ||
-        !bind(job, job->program[SB_LOCAL_PROBE].name, &job->probe, err))
+                       job->id, request->inputs_only ? "inputs" : "probe");
+    if (!sb_local_compile_probe(job, role, err) ||
+        !bind(job, job->program[role].name, &probe->binding, err))
         goto error;
     if (job->shadow.casters > 0)
-        sb_shadow_set_units(&job->shadow, job->probe.program);
+        sb_shadow_set_units(&job->shadow, probe->binding.program);
     return true;
 
 error:
-    sb_binding_free(&job->probe);
-    sb_gl_program_free(&job->program[SB_LOCAL_PROBE]);
+    sb_binding_free(&probe->binding);
+    sb_gl_program_free(&job->program[role]);
     return false;
 }
 
@@ -58,9 +72,8 @@ static bool make_blank(struct sb_local *local, struct sb_local_job *job,
            bind(job, program->name, &job->blank, err);
 }
 
-static void ask(const struct sb_local_job *job, const struct sb_image_request *request)
+static void ask(GLuint program, const struct sb_image_request *request)
 {
-    const GLuint program = job->probe.program;
     glUseProgram(program);
     glUniform1i(glGetUniformLocation(program, "u_probe_page"), (GLint)request->page);
     glUniform1i(glGetUniformLocation(program, "u_probe_light"), request->light);
@@ -106,11 +119,12 @@ static bool is_inside(const struct sb_shape *shape,
 }
 
 static struct sb_frame_params frame_of(const struct sb_local *local,
-                                       const struct sb_local_job *job,
+                                       struct sb_local_job *job,
+                                       const struct sb_image_request *request,
                                        const struct sb_target *target)
 {
     struct sb_frame_params frame = sb_local_frame(local, job);
-    frame.binding = &job->probe;
+    frame.binding = &probe_of(job, request)->binding;
     frame.target = target;
     frame.layers = 1;
     frame.blank = &job->blank;
@@ -126,15 +140,15 @@ static bool pixels(struct sb_local *local, struct sb_local_job *job,
         !make_blank(local, job, err) || !make_target(local, &shape, err))
         return false;
     const int at[2] = {request->x, request->y};
-    struct sb_frame_params frame = frame_of(local, job, &local->probe_target);
+    struct sb_frame_params frame = frame_of(local, job, request, &local->probe_target);
     struct sb_target_part part = {0, 0, shape.width, shape.height};
     if (request->one_pixel) {
         frame.pixel = at;
         part = (struct sb_target_part){request->x, request->y, 1, 1};
     }
-    sb_local_still(job, &job->probe, request);
+    sb_local_still(job, frame.binding, request);
     sb_frame_draw(&frame);
-    sb_local_lights_on(&job->probe, request);
+    sb_local_lights_on(frame.binding, request);
     return sb_local_read(job, &local->probe_target, &part, image, err);
 }
 
@@ -151,10 +165,10 @@ static bool colour(struct sb_local *local, struct sb_local_job *job,
         return false;
     const struct sb_target_part all = {0, 0, shape.width, shape.height};
     const struct sb_target *target = &ring->ring.target[0];
-    const struct sb_frame_params frame = frame_of(local, job, target);
-    sb_local_still(job, &job->probe, request);
+    const struct sb_frame_params frame = frame_of(local, job, request, target);
+    sb_local_still(job, frame.binding, request);
     sb_frame_draw(&frame);
-    sb_local_lights_on(&job->probe, request);
+    sb_local_lights_on(frame.binding, request);
     const bool ok = sb_local_read(job, target, &all, image, err);
     sb_pool_ring_put(&local->pool, ring);
     return ok;
@@ -170,22 +184,22 @@ static void put_vertex(const float *captured, enum sb_probe_page page, float *to
         memcpy(to + 4, captured + SPECULAR, 3 * sizeof *to);
 }
 
-static bool vertices(const struct sb_local *local, const struct sb_local_job *job,
+static bool vertices(const struct sb_local *local, struct sb_local_job *job,
                      const struct sb_image_request *request, struct sb_image *image,
                      struct sb_error *err)
 {
     const int64_t count = sb_capture_vertices(&job->scene->scene);
     float *values = sb_alloc((size_t)count * CAPTURED * sizeof *values);
     const struct sb_capture_params params = {
-        .binding = &job->probe,
+        .binding = &probe_of(job, request)->binding,
         .shadow = job->shadow.casters > 0 ? &job->shadow : NULL,
         .target = &job->ring->ring.target[0],
         .floats = CAPTURED,
         .gles = local->caps.gles,
     };
-    sb_local_still(job, &job->probe, request);
+    sb_local_still(job, params.binding, request);
     sb_capture_draw(&params, values);
-    sb_local_lights_on(&job->probe, request);
+    sb_local_lights_on(params.binding, request);
     const bool ok = sb_local_gl_ok("capturing the vertices of", job->id, err);
     if (ok) {
         sb_image_init(image, (int)count, 1, 4 + PAGE);
@@ -201,9 +215,15 @@ bool sb_local_probe_image(struct sb_local *local, struct sb_local_job *job,
                           const struct sb_image_request *request, struct sb_image *image,
                           struct sb_error *err)
 {
-    if (!make(job, err))
+    if (request->inputs_only && request->kind == SB_IMAGE_PROBE &&
+        request->page == SB_PROBE_LIGHT)
+        return sb_fail(err, SB_BAD_INPUT,
+                       "job %" PRIu32 ": the program \"inputs\" tells nothing of lights; "
+                       "valid: the pages of inputs, frame and maps",
+                       job->id);
+    if (!make(job, request, err))
         return false;
-    ask(job, request);
+    ask(probe_of(job, request)->binding.program, request);
     if (request->kind == SB_IMAGE_PROBE_COLOUR)
         return colour(local, job, request, image, err);
     // Maps are read by fragments, wherever they are lit.

@@ -8,10 +8,8 @@
 #include "local/state.h"
 
 static const char *const roles[SB_LOCAL_ROLE_COUNT] = {
-    [SB_LOCAL_SHADE] = "shade",
-    [SB_LOCAL_SHADOW] = "shadow",
-    [SB_LOCAL_LAMP] = "lamp",
-    [SB_LOCAL_PROBE] = "probe",
+    [SB_LOCAL_SHADE] = "shade", [SB_LOCAL_SHADOW] = "shadow", [SB_LOCAL_LAMP] = "lamp",
+    [SB_LOCAL_PROBE] = "probe", [SB_LOCAL_INPUTS] = "inputs",
 };
 
 // Place in `roles` of a program's role, or SB_LOCAL_ROLE_COUNT.
@@ -48,6 +46,19 @@ static void add_hash(struct sb_prepared *result, int place, uint64_t hash)
     result->binary_hash = none ? 0 : sb_hash(before, &hash, sizeof hash);
 }
 
+// A program that is compiled later is kept; false where there is no such role, or one already.
+static bool take_role(struct sb_local_job *job, const struct sb_program *source, int role)
+{
+    if (role == SB_LOCAL_ROLE_COUNT)
+        return false;
+    if (role < SB_LOCAL_PROBE)
+        return job->program[role].name == 0;
+    struct sb_program *kept = &job->probe[role - SB_LOCAL_PROBE].source;
+    const bool first = kept->role == NULL;
+    *kept = *source;
+    return first;
+}
+
 bool sb_local_compile(struct sb_local_job *job, const struct sb_job *request,
                       struct sb_prepared *result)
 {
@@ -55,18 +66,13 @@ bool sb_local_compile(struct sb_local_job *job, const struct sb_job *request,
     for (int i = 0; i < request->program_count; i++) {
         const struct sb_program *source = &request->program[i];
         const int role = role_of(source);
-        const bool twice = role == SB_LOCAL_PROBE
-                               ? job->probe_source.role != NULL
-                               : role < SB_LOCAL_PROBE && job->program[role].name != 0;
-        if (role == SB_LOCAL_ROLE_COUNT || twice)
+        if (!take_role(job, source, role))
             return sb_fail(&result->error, SB_BAD_INPUT,
                            "job %" PRIu32 ": a program for the role \"%s\"; valid: one "
-                           "each for shade, shadow, lamp and probe",
+                           "each for shade, shadow, lamp, probe and inputs",
                            request->id, source->role);
-        if (role == SB_LOCAL_PROBE) {
-            job->probe_source = *source;
+        if (role >= SB_LOCAL_PROBE)
             continue;
-        }
         struct sb_gl_program *program = &job->program[role];
         const bool ok = sb_gl_program_make(source, program);
         result->compile_ms += program->compile_ms;
@@ -78,19 +84,20 @@ bool sb_local_compile(struct sb_local_job *job, const struct sb_job *request,
     return true;
 }
 
-bool sb_local_compile_probe(struct sb_local_job *job, struct sb_error *err)
+bool sb_local_compile_probe(struct sb_local_job *job, enum sb_local_role role,
+                            struct sb_error *err)
 {
     // Lit per vertex: what the vertex shader hands on, in the order of probe.c.
     static const char *const varying[] = {"v_diffuse", "v_specular", "v_probe0",
                                           "v_probe1", "v_probe2"};
     const bool vertex = sb_lit_per_vertex(&job->variant);
-    struct sb_gl_program *program = &job->program[SB_LOCAL_PROBE];
-    if (sb_gl_program_make_captured(&job->probe_source, varying,
-                                    vertex ? sizeof varying / sizeof *varying : 0,
-                                    program))
+    const struct sb_program *source = &job->probe[role - SB_LOCAL_PROBE].source;
+    struct sb_gl_program *program = &job->program[role];
+    if (sb_gl_program_make_captured(
+            source, varying, vertex ? sizeof varying / sizeof *varying : 0, program))
         return true;
     struct sb_prepared result = {0};
-    refused(program, 0, job->probe_source.role, &result);
+    refused(program, 0, source->role, &result);
     if (err)
         *err = result.error;
     free(result.log);

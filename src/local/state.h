@@ -45,8 +45,16 @@ enum sb_local_role {
     SB_LOCAL_SHADE,
     SB_LOCAL_SHADOW,
     SB_LOCAL_LAMP,
-    SB_LOCAL_PROBE,
+    SB_LOCAL_PROBE, // those from here are compiled when a picture of them is asked for
+    SB_LOCAL_INPUTS,
     SB_LOCAL_ROLE_COUNT
+};
+
+enum { SB_LOCAL_PROBES = SB_LOCAL_ROLE_COUNT - SB_LOCAL_PROBE };
+
+struct sb_local_probe {
+    struct sb_program source;  // the caller's texts; role NULL: none
+    struct sb_binding binding; // program 0: not made yet
 };
 
 struct sb_local_job {
@@ -57,9 +65,8 @@ struct sb_local_job {
     struct sb_shared_scene *scene;
     struct sb_gl_program program[SB_LOCAL_ROLE_COUNT]; // name 0: the job has none
     struct sb_binding binding, lamp;                   // of the lit draws, and of lamps
-    struct sb_program probe_source; // the caller's texts; role NULL: none
-    // Of the program "probe", and of what wipes out behind lamps; program 0: not made yet.
-    struct sb_binding probe, blank;
+    struct sb_local_probe probe[SB_LOCAL_PROBES];      // "probe" and "inputs"
+    struct sb_binding blank;            // wipes out behind lamps; program 0: not made yet
     struct sb_shadow shadow;            // casters 0: none
     struct sb_shared_ring *ring, *half; // half: for shots with shrink=2, made on demand
 };
@@ -81,8 +88,10 @@ struct sb_local {
 // Compiles the job's programs; what fails, and how long it took, goes into *result.
 bool sb_local_compile(struct sb_local_job *job, const struct sb_job *request,
                       struct sb_prepared *result);
-// Compiles the program "probe" of a job that has its source; the error names stage and message.
-bool sb_local_compile_probe(struct sb_local_job *job, struct sb_error *err);
+// Compiles the program "probe" or "inputs" of a job that has its source; the error names stage
+// and message.
+bool sb_local_compile_probe(struct sb_local_job *job, enum sb_local_role role,
+                            struct sb_error *err);
 // SB_BAD_INPUT where the job has no such program.
 bool sb_local_has_role(const struct sb_local_job *job, enum sb_local_role role,
                        struct sb_error *err);

@@ -8,6 +8,8 @@ int main(void)
         cmocka_unit_test(presets_are_probed_as_they_are_drawn),
         cmocka_unit_test(reduced_precision_is_probed_as_it_is_drawn),
         cmocka_unit_test(loops_that_are_unrolled_less_differ_by_rounding_at_most),
+        cmocka_unit_test(inputs_are_told_without_changing_what_is_drawn),
+        cmocka_unit_test(inputs_are_those_of_the_whole_probe),
         cmocka_unit_test(lamps_have_a_colour_and_nothing_to_tell),
         cmocka_unit_test(one_pixel_tells_what_the_whole_picture_tells),
         cmocka_unit_test(lights_can_be_off_in_a_probe),

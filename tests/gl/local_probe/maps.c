@@ -61,7 +61,7 @@ static void check_pixel(const struct probe_job *job, const float *page,
     assert_true(page[9] == 0 && page[10] == 0 && page[11] == 0);
 }
 
-static void check_maps(const char *words, const char *read)
+static void check_maps(const char *words, const char *read, bool inputs_only)
 {
     struct probe_job job;
     struct sb_image geometry, page;
@@ -72,6 +72,7 @@ static void check_maps(const char *words, const char *read)
               &(struct sb_image_request){
                   .kind = SB_IMAGE_PROBE,
                   .page = SB_PROBE_MAPS,
+                  .inputs_only = inputs_only,
               },
               &page);
     assert_int_equal(page.width, geometry.width);
@@ -112,5 +113,6 @@ void texels_are_told_as_they_were_looked_up(void **state)
         {"scene=room point=2 maps=none stage=vertex", ""},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-        check_maps(cases[i].words, cases[i].read);
+        for (int inputs_only = 0; inputs_only < 2; inputs_only++)
+            check_maps(cases[i].words, cases[i].read, inputs_only);
 }

@@ -205,7 +205,7 @@ static struct sb_light *first_light(const struct probe_job *job)
     struct sb_local_job *inside =
         sb_local_job_find((struct sb_local *)probe_runner, job->id, &err);
     assert_non_null(inside);
-    return inside->probe.as_lit;
+    return inside->probe[0].binding.as_lit;
 }
 
 static void middle_inputs(const struct probe_job *job, float inputs[12])

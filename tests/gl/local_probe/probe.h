@@ -52,6 +52,8 @@ void the_probe_draws_what_the_timed_program_draws(void **state);
 void presets_are_probed_as_they_are_drawn(void **state);
 void reduced_precision_is_probed_as_it_is_drawn(void **state);
 void loops_that_are_unrolled_less_differ_by_rounding_at_most(void **state);
+void inputs_are_told_without_changing_what_is_drawn(void **state);
+void inputs_are_those_of_the_whole_probe(void **state);
 void lamps_have_a_colour_and_nothing_to_tell(void **state);
 void one_pixel_tells_what_the_whole_picture_tells(void **state);
 void lights_can_be_off_in_a_probe(void **state);

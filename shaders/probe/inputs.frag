@@ -1,0 +1,2 @@
+// PROBE=inputs, in fragment shaders of either stage.
+#include "probe/texels.glsl"
