@@ -179,6 +179,17 @@ static json_t *point_json(const struct sb_explanation *explanation, int number_o
     return object;
 }
 
+static json_t *probe(const struct sb_explanation *explanation)
+{
+    if (explanation->probe_off == 0)
+        return json_string("same colour");
+    struct sb_text text = {0};
+    sb_text_printf(&text, "another colour by %.3g", explanation->probe_off);
+    json_t *word = json_string(sb_text_get(&text));
+    sb_text_free(&text);
+    return word;
+}
+
 static json_t *verdict(const struct sb_explanation *explanation)
 {
     if (explanation->wrong_term < 0)
@@ -225,6 +236,7 @@ json_t *sb_explanation_json(const struct sb_explanation *explanation,
     } else {
         json_t *points = json_array();
         json_object_set_new(object, "shows", triangle(explanation));
+        json_object_set_new(object, "probe", probe(explanation));
         json_object_set_new(object, "eye", vector(explanation->point[0].reference.eye));
         json_object_set_new(object, "scene_ambient", floats(scene->ambient, 3));
         json_object_set_new(object, "material", material(explanation->material));

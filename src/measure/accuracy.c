@@ -35,6 +35,7 @@ struct drawing {
     const struct sb_task *task;
     const struct sb_driver *driver;
     int width, height; // 0: the task's own
+    bool inputs_only;  // of the two probes, that which tells less
 };
 
 static bool draw(const struct drawing *drawing, enum sb_image_kind kind,
@@ -48,6 +49,7 @@ static bool draw(const struct drawing *drawing, enum sb_image_kind kind,
         .width = drawing->width,
         .height = drawing->height,
         .wide = wide,
+        .inputs_only = drawing->inputs_only,
     };
     return drawing->driver->fns->image(drawing->driver->runner, &request, image, err);
 }
@@ -101,23 +103,42 @@ static bool draw_pages(const struct drawing *drawing, struct pictures *pictures,
     return true;
 }
 
-// What the instrumented program tells. False: nothing, and *err says why; where it is that it
-// draws another picture, with SB_INSTRUMENTATION.
-static bool draw_probe(const struct drawing *drawing, struct pictures *pictures,
+// False, with SB_INSTRUMENTATION, where the instrumented program draws another picture.
+static bool draws_same(const struct drawing *drawing, struct pictures *pictures,
                        struct sb_error *err)
 {
     struct sb_image_difference difference;
+    sb_image_free(&pictures->probe_colour);
     if (!draw(drawing, SB_IMAGE_PROBE_COLOUR, 0, true, &pictures->probe_colour, err))
         return false;
-    if (!same_bits(&pictures->wide, &pictures->probe_colour)) {
-        sb_image_compare(&pictures->wide, &pictures->probe_colour, &difference);
-        return sb_fail(
-            err, SB_INSTRUMENTATION,
-            "the instrumented program draws %ld pixels otherwise, by up to %.3g: "
-            "nothing is known of inputs and raw terms",
-            difference.pixels, difference.max);
-    }
-    return draw_pages(drawing, pictures, err);
+    if (same_bits(&pictures->wide, &pictures->probe_colour))
+        return true;
+    sb_image_compare(&pictures->wide, &pictures->probe_colour, &difference);
+    return sb_fail(err, SB_INSTRUMENTATION,
+                   "the instrumented program draws %ld pixels otherwise, by up to %.3g",
+                   difference.pixels, difference.max);
+}
+
+enum told { NOTHING, INPUTS, ALL };
+
+// What an instrumented program tells. Where it is less than ALL, *err says why and what is missing;
+// with SB_INSTRUMENTATION where the one that tells all draws another picture.
+static enum told draw_probe(struct drawing *drawing, struct pictures *pictures,
+                            struct sb_error *err)
+{
+    struct sb_error other = {0};
+    if (draws_same(drawing, pictures, err))
+        return draw_pages(drawing, pictures, err) ? ALL : NOTHING;
+    if (err->status != SB_INSTRUMENTATION)
+        return NOTHING;
+    drawing->inputs_only = true;
+    const bool given =
+        draws_same(drawing, pictures, &other) && draw_pages(drawing, pictures, &other);
+    drawing->inputs_only = false;
+    sb_fail(err, SB_INSTRUMENTATION, "%s: nothing is known of %s", err->text,
+            given ? "raw terms and of the driver's branches"
+                  : "inputs, raw terms and the driver's branches");
+    return given ? INPUTS : NOTHING;
 }
 
 // --- the numbers -------------------------------------------------------------------------
@@ -164,8 +185,8 @@ static void find_term(struct sb_task *task, const struct drawing *drawing,
     sb_explanation_free(&explanation);
 }
 
-// The picture drawn, and its error by source. `no_probe` says why nothing is known of the
-// driver's inputs; false: nothing is known at all, and *err says why.
+// The picture drawn, and its error by source. `no_probe` says why not all is known of what the
+// driver had; false: nothing is known at all, and *err says why.
 static bool measure_split(struct drawing *drawing, struct sb_truths *truths,
                           struct pictures *pictures, struct sb_truth *truth,
                           struct sb_split *split, struct sb_error *no_probe,
@@ -179,24 +200,24 @@ static bool measure_split(struct drawing *drawing, struct sb_truths *truths,
         !sb_truths_get(truths, drawing->task, drawing->width, drawing->height, truth,
                        err))
         return false;
-    const bool probed = draw_probe(drawing, pictures, no_probe);
+    const enum told told = draw_probe(drawing, pictures, no_probe);
     const struct sb_ref_given inputs = {
         .geometry = &pictures->geometry,
         .inputs = &pictures->inputs,
         .frame = pictures->frame.data ? &pictures->frame : NULL,
         .maps = pictures->maps.data ? &pictures->maps : NULL,
     };
-    if (probed)
+    if (told != NOTHING)
         sb_ref_given(truth->ground, variant, &inputs, &given);
     const struct sb_split_params params = {
         .ground = truth->ground,
         .ideal = truth->ideal,
         .model = truth->model,
-        .given = probed ? &given : NULL,
+        .given = told != NOTHING ? &given : NULL,
         .geometry = &pictures->geometry,
         .wide = &pictures->wide,
         .own = &pictures->own,
-        .probe = probed ? &pictures->inputs : NULL,
+        .probe = told == ALL ? &pictures->inputs : NULL,
         .interior = sb_ref_mixes_edges(variant),
     };
     sb_split_measure(&params, split);

@@ -134,6 +134,23 @@ static bool read_maps(const struct source *source, struct sb_explanation *explan
     return true;
 }
 
+// How far the instrumented program's colour is from that of the timed one.
+static bool compare_probe(const struct source *source, struct sb_explanation *explanation,
+                          struct sb_error *err)
+{
+    float colour[4];
+    if (!draw_pixel(source, SB_IMAGE_PROBE_COLOUR, true, colour, err))
+        return false;
+    for (int c = 0; c < 3; c++) {
+        const double probed = colour[c], timed = explanation->wide[c];
+        const bool same = probed == timed || (isnan(probed) && isnan(timed));
+        const double off = isnan(probed - timed) ? INFINITY : fabs(probed - timed);
+        if (!same)
+            explanation->probe_off = fmax(explanation->probe_off, off);
+    }
+    return true;
+}
+
 // --- side by side ------------------------------------------------------------------------
 
 static void judge(const struct sb_explanation *explanation,
@@ -352,7 +369,8 @@ bool sb_explain(const struct sb_explain_params *params,
     if (params->light_max > 0 && explanation->light_count > params->light_max)
         explanation->light_count = params->light_max;
     locate(&source, explanation);
-    if (!read_inputs(&source, explanation, err) || !read_maps(&source, explanation, err))
+    if (!compare_probe(&source, explanation, err) ||
+        !read_inputs(&source, explanation, err) || !read_maps(&source, explanation, err))
         return false;
     for (int i = 0; i < explanation->point_count; i++) {
         list_lights(params, explanation, &explanation->point[i]);

@@ -61,15 +61,17 @@ struct sb_explanation {
     bool has_maps;  // the variant reads any
     float maps[12]; // then SB_PROBE_MAPS of the pixel, wherever it is lit
     double ideal[3], model[3], given[3];
-    float wide[4], own[4];                    // as floats, and in the target's format
+    float wide[4], own[4]; // as floats, and in the target's format
+    // Largest difference of the colour that the instrumented program draws there from `wide`; where
+    // it is not 0, what a driver is said to have is that other program's.
+    double probe_off;
     int wrong_point, wrong_light, wrong_term; // the first that went wrong; -1: none
     struct sb_truth truth;
     struct sb_arena arena;
 };
 
-// SB_BAD_INPUT where the pixel is outside, the program has no probe (GLSL ES 1.00), or the
-// instrumented program draws another colour there. *explanation must be zeroed; free also after
-// failure. It refers to what `truths` keeps, until the next sb_truths_get.
+// SB_BAD_INPUT where the pixel is outside, or the program has no probe (GLSL ES 1.00).
+// *explanation must be zeroed; free also after failure. It refers to what `truths` keeps, until the next sb_truths_get.
 struct sb_explain_params {
     const struct sb_task *task; // prepared, with a probe
     const struct sb_driver *driver;

@@ -64,11 +64,12 @@ static bool flipped(const struct sb_split_params *params, const struct pixel *pi
         return false;
     if (params->model->vertex) // branches at vertices have no counterpart in the ideal
         return params->probe && vertex_flipped(params, pixel);
-    if (!params->probe || !params->given)
-        return params->model->decisions[pixel->at] != ideal;
+    const struct sb_ref_picture *own = params->given ? params->given : params->model;
+    if (!params->probe) // how the driver decided is not known
+        return own->decisions[pixel->at] != ideal;
     const uint32_t there =
         (uint32_t)sb_image_at(params->probe, pixel->x, pixel->y)[DECISIONS];
-    return there != ideal || there != params->given->decisions[pixel->at];
+    return there != ideal || there != own->decisions[pixel->at];
 }
 
 // --- the parts -------------------------------------------------------------------------------

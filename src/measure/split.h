@@ -22,8 +22,8 @@ struct sb_split_params { // pictures of one size
     const struct sb_ref_picture *given; // NULL: what the driver was given is not known
     const struct sb_image *geometry;    // SB_IMAGE_GEOMETRY
     const struct sb_image *wide, *own; // the colour as floats, and in the target's format
-    // Lit per fragment: page SB_PROBE_INPUTS. Lit per vertex: the same of all vertices. NULL: not
-    // known.
+    // Lit per fragment: page SB_PROBE_INPUTS. Lit per vertex: the same of all vertices. NULL: raw
+    // terms and the driver's branches are not known, and flips are those of the reference.
     const struct sb_image *probe;
     bool interior; // only pixels that lie in one triangle are compared
 };

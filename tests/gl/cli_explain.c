@@ -330,6 +330,7 @@ static void text_names_what_it_shows_and_bad_input_what_would_be_valid(void **st
              platform);
     check_answer(line, 0, "attenuation ");
     check_answer(line, 0, "as_uploaded");
+    check_answer(line, 0, "same colour");
     snprintf(line, sizeof line, "explain point=1,width=64,height=64 --pixel 64,0 -q %s",
              platform);
     check_answer(line, 2, "pixel 64,0: the picture has 64 x 64 pixels");
