@@ -143,6 +143,7 @@ struct sb_image_request {
     int width, height; // 0: the job's own
     bool wide;         // draw to the widest float format there is, not the job's own, so
                        // that nothing is clamped or rounded away
+    bool single;       // draw with one sample a pixel, as probes are drawn
     // Lights [off_first, off_first + off_count) of the whole list, directional lights first,
     // then point, then spot, are uploaded black. off_count 0: all shine.
     int off_first, off_count;

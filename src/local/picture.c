@@ -101,6 +101,8 @@ struct sb_shape sb_local_shape(const struct sb_local_job *job,
         shape.width = request->width;
     if (request->height > 0)
         shape.height = request->height;
+    if (request->single)
+        shape.samples = 1;
     return shape;
 }
 

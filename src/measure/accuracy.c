@@ -16,7 +16,7 @@ enum { TERM_LIGHTS = 64 }; // that are looked at for the term that went wrong
 
 // All that is drawn of a task, at one size.
 struct pictures {
-    struct sb_image own, wide, geometry, probe_colour, inputs, frame, maps;
+    struct sb_image own, wide, single, geometry, probe_colour, inputs, frame, maps;
     int full_width; // of the task's own picture
 };
 
@@ -24,6 +24,7 @@ static void pictures_free(struct pictures *pictures)
 {
     sb_image_free(&pictures->own);
     sb_image_free(&pictures->wide);
+    sb_image_free(&pictures->single);
     sb_image_free(&pictures->geometry);
     sb_image_free(&pictures->probe_colour);
     sb_image_free(&pictures->inputs);
@@ -36,6 +37,7 @@ struct drawing {
     const struct sb_driver *driver;
     int width, height; // 0: the task's own
     bool inputs_only;  // of the two probes, that which tells less
+    bool single;       // one sample a pixel
 };
 
 static bool draw(const struct drawing *drawing, enum sb_image_kind kind,
@@ -49,6 +51,7 @@ static bool draw(const struct drawing *drawing, enum sb_image_kind kind,
         .width = drawing->width,
         .height = drawing->height,
         .wide = wide,
+        .single = drawing->single,
         .inputs_only = drawing->inputs_only,
     };
     return drawing->driver->fns->image(drawing->driver->runner, &request, image, err);
@@ -76,11 +79,15 @@ static bool draw_own(struct drawing *drawing, struct pictures *pictures,
     return draw(drawing, SB_IMAGE_COLOUR, 0, false, &pictures->own, err);
 }
 
-static bool same_bits(const struct sb_image *a, const struct sb_image *b)
+// The colour as floats: of all samples, and of the one that a probe has.
+static bool draw_wide(struct drawing *drawing, struct pictures *pictures,
+                      struct sb_error *err)
 {
-    const size_t bytes =
-        (size_t)a->width * (size_t)a->height * (size_t)a->channels * sizeof *a->data;
-    return memcmp(a->data, b->data, bytes) == 0;
+    bool good = draw(drawing, SB_IMAGE_COLOUR, 0, true, &pictures->wide, err);
+    drawing->single = true;
+    good = good && draw(drawing, SB_IMAGE_COLOUR, 0, true, &pictures->single, err);
+    drawing->single = false;
+    return good;
 }
 
 static bool draw_pages(const struct drawing *drawing, struct pictures *pictures,
@@ -103,6 +110,13 @@ static bool draw_pages(const struct drawing *drawing, struct pictures *pictures,
     return true;
 }
 
+static bool same_bits(const struct sb_image *a, const struct sb_image *b)
+{
+    const size_t bytes =
+        (size_t)a->width * (size_t)a->height * (size_t)a->channels * sizeof *a->data;
+    return memcmp(a->data, b->data, bytes) == 0;
+}
+
 // False, with SB_INSTRUMENTATION, where the instrumented program draws another picture.
 static bool draws_same(const struct drawing *drawing, struct pictures *pictures,
                        struct sb_error *err)
@@ -111,9 +125,9 @@ static bool draws_same(const struct drawing *drawing, struct pictures *pictures,
     sb_image_free(&pictures->probe_colour);
     if (!draw(drawing, SB_IMAGE_PROBE_COLOUR, 0, true, &pictures->probe_colour, err))
         return false;
-    if (same_bits(&pictures->wide, &pictures->probe_colour))
+    if (same_bits(&pictures->single, &pictures->probe_colour))
         return true;
-    sb_image_compare(&pictures->wide, &pictures->probe_colour, &difference);
+    sb_image_compare(&pictures->single, &pictures->probe_colour, &difference);
     return sb_fail(err, SB_INSTRUMENTATION,
                    "the instrumented program draws %ld pixels otherwise, by up to %.3g",
                    difference.pixels, difference.max);
@@ -194,8 +208,7 @@ static bool measure_split(struct drawing *drawing, struct sb_truths *truths,
 {
     const struct sb_variant *variant = &drawing->task->assembly.job.variant;
     struct sb_ref_picture given = {0};
-    if (!draw_own(drawing, pictures, err) ||
-        !draw(drawing, SB_IMAGE_COLOUR, 0, true, &pictures->wide, err) ||
+    if (!draw_own(drawing, pictures, err) || !draw_wide(drawing, pictures, err) ||
         !draw(drawing, SB_IMAGE_GEOMETRY, 0, false, &pictures->geometry, err) ||
         !sb_truths_get(truths, drawing->task, drawing->width, drawing->height, truth,
                        err))

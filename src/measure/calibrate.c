@@ -135,7 +135,7 @@ bool sb_check_fragment_bound(struct sb_task *task, const struct sb_driver *drive
     }
     sb_sort_doubles(ratio, PAIRS);
     task->growth = sb_median(ratio, PAIRS);
-    if (task->growth < 3)
+    if (task->growth < 3 && task->status == SB_OK)
         task->status = SB_NOT_FRAGMENT_BOUND;
     return true;
 }

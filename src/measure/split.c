@@ -37,7 +37,7 @@ static bool matches(const struct sb_split_params *params, const struct pixel *pi
     return own->draw == pixel->driver.draw && own->triangle == pixel->driver.triangle &&
            params->ideal->valid[pixel->at] && params->model->valid[pixel->at] &&
            (!params->interior ||
-            sb_ref_geometry_inside(params->ground->geometry, *own, pixel->x, pixel->y));
+            sb_ref_ground_interior(params->ground, pixel->x, pixel->y));
 }
 
 // --- branches that went another way ----------------------------------------------------------

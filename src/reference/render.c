@@ -35,6 +35,18 @@ void sb_ref_ground_free(struct sb_ref_ground *ground)
     *ground = (struct sb_ref_ground){0};
 }
 
+bool sb_ref_ground_interior(const struct sb_ref_ground *ground, int x, int y)
+{
+    const struct sb_ref_cover at = ground->cover[(long)y * ground->width + x];
+    if (at.draw < 0 || !sb_ref_geometry_inside(ground->geometry, at, x, y))
+        return false;
+    for (int j = y > 0 ? y - 1 : 0; j <= y + 1 && j < ground->height; j++)
+        for (int i = x > 0 ? x - 1 : 0; i <= x + 1 && i < ground->width; i++)
+            if (ground->cover[(long)j * ground->width + i].draw != at.draw)
+                return false;
+    return true;
+}
+
 void sb_ref_picture_free(struct sb_ref_picture *picture)
 {
     sb_image64_free(&picture->colour);

@@ -21,6 +21,10 @@ void sb_ref_ground_make(struct sb_ref_ground *ground, const struct sb_scene *sce
                         int width, int height, int threads);
 void sb_ref_ground_free(struct sb_ref_ground *ground);
 
+// Is all of a pixel covered by the triangle that its centre shows? It lies in the triangle, and no
+// neighbour shows another draw, whose edge could cut through it.
+bool sb_ref_ground_interior(const struct sb_ref_ground *ground, int x, int y);
+
 struct sb_ref_picture {
     struct sb_image64
         colour; // 3 channels, linear light; the background has the clear colour

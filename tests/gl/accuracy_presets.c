@@ -86,6 +86,7 @@ static void every_law_model_cone_shape_and_map_is_right_to_2e_5(void **state)
         "dir=1,point=2,maps=diffuse+specular+normal,ambient=per_light",
         "dir=1,point=2,maps=normal,space=view,normalise=off",
         "dir=1,point=2,shininess=256",
+        "dir=1,point=2,samples=4",
         "point=2,shadows=2,shadow_filter=4",
         "dir=1,point=4,spot=1,model=phong,maps=diffuse+specular,hoist=per_light,"
         "ambient=per_light,guard=mask",
