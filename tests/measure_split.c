@@ -57,6 +57,7 @@ static void world_make(struct world *w)
         .wide = &w->wide,
         .own = &w->own,
         .probe = &w->probe,
+        .decision_bound = 2, // of cosines: any flip is left out
     };
 }
 
@@ -161,11 +162,30 @@ static void a_flipped_branch_is_left_out_and_counted(void **state)
     w.params.probe = NULL;
     w.params.given = NULL;
     split = measured(&w);
-    assert_int_equal(split.flips, 0);
+    assert_int_equal(split.flips, -1);
     assert_int_equal(split.raw_nonfinite, -1);
     assert_true(isnan(split.part[SB_BY_ARITHMETIC].max));
     assert_true(isnan(split.part[SB_BY_INTERPOLATION].mean));
     assert_false(isnan(split.part[SB_BY_FORMULATION].max));
+    world_free(&w);
+}
+
+static void a_branch_that_rounding_does_not_explain_is_an_error(void **state)
+{
+    (void)state;
+    struct world w;
+    world_make(&w);
+    const long i = covered(&w);
+    const float margin = w.given.margin[i];
+    assert_true(margin > 0 && margin < 1); // |n . l|
+    w.probe.data[16 * i + 14] += 1;
+    w.own.data[4 * i] = w.wide.data[4 * i] = 9;
+    w.params.decision_bound = 1.01 * margin;
+    assert_true(measured(&w).part[SB_BY_ARITHMETIC].max < 1e-7);
+    w.params.decision_bound = 0.99 * margin;
+    const struct sb_split split = measured(&w);
+    assert_int_equal(split.flips, 1);
+    assert_true(split.part[SB_BY_ARITHMETIC].max > 1);
     world_free(&w);
 }
 
@@ -205,6 +225,7 @@ int main(void)
         cmocka_unit_test(each_step_lands_in_its_part_and_the_parts_add_up),
         cmocka_unit_test(a_pixel_of_another_triangle_is_left_out_and_counted),
         cmocka_unit_test(a_flipped_branch_is_left_out_and_counted),
+        cmocka_unit_test(a_branch_that_rounding_does_not_explain_is_an_error),
         cmocka_unit_test(raw_terms_are_summed_over_pixels),
         cmocka_unit_test(ulps_are_those_of_the_format),
     };

@@ -58,9 +58,9 @@ highp uint probe_ones(highp uint bits)
     return bits + (bits >> 8) & 0x1Fu;
 }
 
-highp int probe_below(highp float value)
+highp int probe_below(highp float value) // and finite: what is not counts as that alone
 {
-    return floatBitsToUint(value) - 0x80000001u < 0x7F800000u ? 1 : 0;
+    return floatBitsToUint(value) - 0x80000001u < 0x7F7FFFFFu ? 1 : 0;
 }
 
 void probe_look()

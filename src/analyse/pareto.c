@@ -12,7 +12,7 @@ static bool same_text(const char *a, const char *b)
 
 bool sb_pareto_keeps_apart(const struct sb_axis *axis)
 {
-    if (axis->kind == SB_PLATFORM || axis->kind == SB_SCENE)
+    if (axis->kind == SB_PLATFORM || axis->kind == SB_SCENE || axis->flags & SB_APART)
         return true;
     for (int v = 0; v < axis->value_count; v++)
         if (axis->values[v].flags & SB_APART)
@@ -45,16 +45,6 @@ bool sb_pareto_comparable(const struct sb_pareto_params *params, const struct sb
            same_axes(params->axes, a, b, analytic);
 }
 
-static bool is_untimed(const struct sb_axes *axes, const struct sb_variant *variant)
-{
-    for (int i = 0; i < axes->count; i++) {
-        const struct sb_axis *axis = &axes->row[i];
-        if (axis->values && axis->values[(int)variant->value[i]].flags & SB_UNTIMED)
-            return true;
-    }
-    return false;
-}
-
 // Both a time and an error, and neither in doubt.
 static bool is_ranked(const struct sb_axes *axes, const struct sb_row *row)
 {
@@ -66,7 +56,7 @@ static bool is_ranked(const struct sb_axes *axes, const struct sb_row *row)
             return false;
     return row->ci_lo_ms <= row->ci_hi_ms && row->median_ms > 0 &&
            row->nonfinite != SB_NO_COUNT && status != SB_STATUS_COUNT &&
-           sb_status_rows[status].exit_code == 0 && !is_untimed(axes, row->axes);
+           sb_status_rows[status].exit_code == 0 && !sb_variant_untimed(axes, row->axes);
 }
 
 static bool dominates(const struct sb_pareto_params *params, const struct sb_row *a,

@@ -184,6 +184,8 @@ static const struct sb_glsl_version *decide(const struct sb_assemble_params *par
         return NULL;
     const struct sb_glsl_version *version =
         sb_decide_version(params->axes, params->caps, variant, err);
+    if (version && !sb_decide_emulation(version, variant, err))
+        return NULL;
     return version && sb_decide_slips(params->axes, variant, err) &&
                    sb_decide_loop(variant, err) &&
                    sb_decide_shadows(params->axes, params->caps, variant, err) &&

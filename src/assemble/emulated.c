@@ -10,6 +10,17 @@ bool sb_is_emulated(const struct sb_variant *variant)
     return variant->value[SB_AXIS_EMULATE] != SB_EMULATE_NONE;
 }
 
+// Rounding works on the bits of floats, which GLSL ES 1.00 cannot get at.
+bool sb_decide_emulation(const struct sb_glsl_version *version,
+                         const struct sb_variant *variant, struct sb_error *err)
+{
+    return !sb_is_emulated(variant) || version->number >= 300 ||
+           sb_fail(
+               err, SB_BAD_INPUT,
+               "emulated precision with glsl=100: it has no operations on bits; valid: "
+               "glsl=300es, glsl=310es");
+}
+
 const struct sb_glsl_version *sb_emulated_source_version(const struct sb_variant *variant)
 {
     return sb_glsl_version_of(sb_shadows_want_es310(variant) ? SB_GLSL_310ES

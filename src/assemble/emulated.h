@@ -8,6 +8,10 @@
 // Does this variant want reduced precision emulated?
 bool sb_is_emulated(const struct sb_variant *variant);
 
+// SB_BAD_INPUT where the context's version cannot hold what emulates.
+bool sb_decide_emulation(const struct sb_glsl_version *version,
+                         const struct sb_variant *variant, struct sb_error *err);
+
 // The version that such a program is put together in.
 const struct sb_glsl_version *sb_emulated_source_version(
     const struct sb_variant *variant);

@@ -25,8 +25,9 @@ enum {
     SB_TODO = 1,    // in the table, but refused: "not implemented yet"
     SB_UNTIMED = 2, // accuracy only: rows carry no time
     SB_WHOLE = 4,   // a number axis that takes whole numbers only
-    SB_APART = 8,   // values of a quality axis whose rows are not ranked against others'
-    SB_TRUTH = 16,  // a scene axis that is quality where the scene's truth is analytic
+    SB_APART =
+        8, // a quality axis, or values of one, whose rows are not ranked against others'
+    SB_TRUTH = 16, // a scene axis that is quality where the scene's truth is analytic
 };
 
 struct sb_value { // one word of a choice axis; its number is its place in the list

@@ -158,6 +158,16 @@ bool sb_variant_resolve(const struct sb_axes *axes, struct sb_variant *v,
     return true;
 }
 
+bool sb_variant_untimed(const struct sb_axes *axes, const struct sb_variant *v)
+{
+    for (int a = 0; a < axes->count; a++) {
+        const struct sb_axis *axis = &axes->row[a];
+        if (axis->values && axis->values[(int)v->value[a]].flags & SB_UNTIMED)
+            return true;
+    }
+    return false;
+}
+
 bool sb_variant_moot(const struct sb_axes *axes, const struct sb_variant *v, int axis)
 {
     return !sb_condition_holds(axes, axes->row[axis].when, v);

@@ -29,6 +29,9 @@ bool sb_variant_given(const struct sb_variant *v, int axis);
 bool sb_variant_resolve(const struct sb_axes *axes, struct sb_variant *v,
                         struct sb_error *err);
 
+// Is a value of some axis for accuracy only (SB_UNTIMED), so that the variant has no time?
+bool sb_variant_untimed(const struct sb_axes *axes, const struct sb_variant *v);
+
 bool sb_variant_moot(const struct sb_axes *axes, const struct sb_variant *v, int axis);
 bool sb_variant_equal(const struct sb_axes *axes, const struct sb_variant *a,
                       const struct sb_variant *b);

@@ -8,5 +8,5 @@
 void sb_parallel_for(int threads, int count, void (*work)(void *context, int item),
                      void *context);
 
-// Processors that this process may run on.
+// Processors of this machine that are online.
 int sb_processors(void);

@@ -77,7 +77,11 @@ static void print_term(const char *name, const json_t *term, int indent)
                 printf(" %25.17g", json_real_value(value[k]));
             else
                 printf(" %25s", json_string_value(value[k]));
-        printf(" %10s\n", ulps);
+        if (i == 0)
+            printf(" %10s %5lld\n", ulps,
+                   (long long)json_integer_value(json_object_get(term, "bits")));
+        else
+            putchar('\n');
     }
 }
 
@@ -98,8 +102,8 @@ static void print_tree(const json_t *object, int indent)
         } else if (json_is_object(value)) {
             printf("%*s%s\n", indent, "", name);
             if (strcmp(name, "terms") == 0)
-                printf("%*s%-16s %25s %25s %10s\n", indent + 2, "", "", "reference",
-                       "driver", "ulps");
+                printf("%*s%-16s %25s %25s %10s %5s\n", indent + 2, "", "", "reference",
+                       "driver", "ulps", "bits");
             print_tree(value, indent + 2);
         } else {
             json_array_foreach(value, i, item)

@@ -73,23 +73,27 @@ static json_t *uploaded(const struct sb_explained_light *light,
     return object;
 }
 
-static json_t *term(const struct sb_explained_light *light, enum sb_term which)
+static json_t *term(const struct sb_explanation *explanation,
+                    const struct sb_explained_light *light, enum sb_term which)
 {
     const struct sb_term_row *row = &sb_term_rows[which];
     const double *reference =
         (const double *)((const char *)light->reference + row->offset);
-    return json_pack("{so so so}", "reference", doubles(reference, row->components),
+    return json_pack("{so so so si}", "reference", doubles(reference, row->components),
                      "driver", floats(&light->driver[row->place], row->components),
-                     "ulps", number(light->ulps[which]));
+                     "ulps", number(light->ulps[which]), "bits",
+                     explanation->bits[which]);
 }
 
-static json_t *light_json(const struct sb_explained_light *light,
+static json_t *light_json(const struct sb_explanation *explanation,
+                          const struct sb_explained_light *light,
                           const struct sb_variant *variant)
 {
     struct sb_text name = {0};
     json_t *terms = json_object();
     for (int t = 0; t < SB_TERM_COUNT; t++)
-        json_object_set_new(terms, sb_term_rows[t].name, term(light, (enum sb_term)t));
+        json_object_set_new(terms, sb_term_rows[t].name,
+                            term(explanation, light, (enum sb_term)t));
     sb_text_printf(&name, "%s %d", sb_light_structs[light->type].name, light->number);
     json_t *object =
         json_pack("{ss so so so ss*}", "name", sb_text_get(&name), "as_uploaded",
@@ -153,7 +157,7 @@ static json_t *point_json(const struct sb_explanation *explanation, int number_o
     const struct sb_ref_shade *shade = &point->reference.shade;
     json_t *lights = json_array();
     for (int i = 0; i < explanation->light_count; i++)
-        json_array_append_new(lights, light_json(&point->light[i], variant));
+        json_array_append_new(lights, light_json(explanation, &point->light[i], variant));
     json_t *object = json_object();
     if (point->vertex >= 0)
         json_object_set_new(object, "vertex", json_integer(point->vertex));
@@ -192,6 +196,8 @@ static json_t *probe(const struct sb_explanation *explanation)
 
 static json_t *verdict(const struct sb_explanation *explanation)
 {
+    if (explanation->probe_off > 0)
+        return json_string("not known: the program that tells draws another colour here");
     if (explanation->wrong_term < 0)
         return json_null();
     const struct sb_explained_light *light =
@@ -224,11 +230,10 @@ json_t *sb_explanation_json(const struct sb_explanation *explanation,
 {
     const struct sb_variant *variant = &task->assembly.job.variant;
     const struct sb_scene *scene = explanation->truth.scene;
-    json_t *object =
-        json_pack("{ss ss ss s[ii] s[ii] si}", "scene", scene->name, "variant",
-                  task->entry->id, "renderer", driver->caps.renderer, "pixel",
-                  explanation->x, explanation->y, "size", explanation->width,
-                  explanation->height, "significant_bits", explanation->bits);
+    json_t *object = json_pack("{ss ss ss s[ii] s[ii]}", "scene", scene->name, "variant",
+                               task->entry->id, "renderer", driver->caps.renderer,
+                               "pixel", explanation->x, explanation->y, "size",
+                               explanation->width, explanation->height);
     if (explanation->draw < 0) {
         json_object_set_new(object, "shows", json_string("the background"));
     } else if (explanation->point_count == 0) {

@@ -8,9 +8,16 @@
 #include "measure/explain.h"
 #include "reference/share.h"
 
-// Pixels times lights (and one for the rest) of the largest reference: its three pictures take
-// some two seconds on two cores.
-static const double WORK_MAX = 2e7;
+// Of the largest reference, pixels times sb_ref_work: its three pictures take some two seconds on
+// two cores. And pixels, of which a page of the probe takes 64 bytes each.
+static const double WORK_MAX = 2e7, PIXELS_MAX = 1 << 21;
+
+// How far from going the other way a branch may have been in double, in cosines, for rounding to
+// explain that it went there: some hundred units in the last place.
+static double decision_bound(int bits)
+{
+    return ldexp(1, bits > 11 ? -14 : -5);
+}
 
 enum { TERM_LIGHTS = 64 }; // that are looked at for the term that went wrong
 
@@ -57,17 +64,23 @@ static bool draw(const struct drawing *drawing, enum sb_image_kind kind,
     return drawing->driver->fns->image(drawing->driver->runner, &request, image, err);
 }
 
+static bool is_too_large(int width, int height, double work)
+{
+    const double pixels = (double)width * height;
+    return pixels > PIXELS_MAX || pixels * work > WORK_MAX;
+}
+
 // The picture in its own target, at its own size or, where the reference would take too long, at
 // the half, a quarter … of it.
 static bool draw_own(struct drawing *drawing, struct pictures *pictures,
                      struct sb_error *err)
 {
-    const double lights = sb_task_light_count(drawing->task) + 1;
+    const double work = sb_ref_work(&drawing->task->assembly.job.variant);
     if (!draw(drawing, SB_IMAGE_COLOUR, 0, false, &pictures->own, err))
         return false;
     int width = pictures->own.width, height = pictures->own.height;
     pictures->full_width = width;
-    while ((double)width * height * lights > WORK_MAX && width > 64 && height > 64) {
+    while (width > 64 && height > 64 && is_too_large(width, height, work)) {
         width /= 2;
         height /= 2;
     }
@@ -157,10 +170,10 @@ static enum told draw_probe(struct drawing *drawing, struct pictures *pictures,
 
 // --- the numbers -------------------------------------------------------------------------
 
-// The ideal as it is to be compared with what is seen: where driver and reference show another
-// triangle, there is nothing to compare.
+// The ideal as it is to be compared with what is seen: where driver and reference show another draw
+// there is nothing to compare, and nor is there where several samples mix at an edge.
 static void seen_truth(const struct sb_truth *truth, const struct pictures *pictures,
-                       struct sb_image64 *seen)
+                       bool interior, struct sb_image64 *seen)
 {
     const struct sb_ref_ground *ground = truth->ground;
     sb_image64_init(seen, ground->width, ground->height, 3);
@@ -169,7 +182,9 @@ static void seen_truth(const struct sb_truth *truth, const struct pictures *pict
             const long at = (long)y * ground->width + x;
             const float *geometry = sb_image_at(&pictures->geometry, x, y);
             const float *own = sb_image_at(&pictures->own, x, y);
-            const bool same = (int)geometry[0] - 1 == ground->cover[at].draw;
+            const bool same = (int)geometry[0] - 1 == ground->cover[at].draw &&
+                              (!interior || ground->cover[at].draw < 0 ||
+                               sb_ref_ground_interior(ground, x, y));
             for (int c = 0; c < 3; c++)
                 seen->data[3 * at + c] = same && truth->ideal->valid[at]
                                              ? truth->ideal->colour.data[3 * at + c]
@@ -231,6 +246,8 @@ static bool measure_split(struct drawing *drawing, struct sb_truths *truths,
         .wide = &pictures->wide,
         .own = &pictures->own,
         .probe = told == ALL ? &pictures->inputs : NULL,
+        .decision_bound =
+            decision_bound(sb_effective_bits(drawing->task, drawing->driver, NULL)),
         .interior = sb_ref_mixes_edges(variant),
     };
     sb_split_measure(&params, split);
@@ -238,9 +255,10 @@ static bool measure_split(struct drawing *drawing, struct sb_truths *truths,
     return true;
 }
 
-static void take_totals(struct sb_accuracy *accuracy, const struct sb_truth *truth,
+static void take_totals(struct sb_task *task, const struct sb_truth *truth,
                         const struct pictures *pictures)
 {
+    struct sb_accuracy *accuracy = &task->accuracy;
     struct sb_image64 seen = {0};
     const struct sb_metrics_params total = {
         .test = &pictures->own,
@@ -248,10 +266,23 @@ static void take_totals(struct sb_accuracy *accuracy, const struct sb_truth *tru
         .counted = accuracy->split.counted,
     };
     sb_metrics_measure(&total, &accuracy->total);
-    seen_truth(truth, pictures, &seen);
+    seen_truth(truth, pictures, sb_ref_mixes_edges(&task->assembly.job.variant), &seen);
     accuracy->flip = sb_flip_measure(&pictures->own, &seen, SB_FLIP_PPD, NULL);
     accuracy->known = true;
     sb_image64_free(&seen);
+}
+
+// Errors over a part of the picture are not those of the picture.
+static void note_left_out(struct sb_task *task)
+{
+    const struct sb_split *split = &task->accuracy.split;
+    const double out =
+        (double)(split->covered - split->compared) / (double)split->covered;
+    if (split->covered > 0 && out > 0.01)
+        sb_task_note(task,
+                     "%.0f %% of the covered pixels are left out of the errors: branches "
+                     "that rounding may take either way, and edges",
+                     ceil(100 * out));
 }
 
 void sb_accuracy_measure(struct sb_task *task, const struct sb_driver *driver,
@@ -269,10 +300,11 @@ void sb_accuracy_measure(struct sb_task *task, const struct sb_driver *driver,
         sb_task_note(task, "no errors: %s", err.text);
         goto done;
     }
-    take_totals(accuracy, &truth, &pictures);
+    take_totals(task, &truth, &pictures);
     if (drawing.width != pictures.full_width)
         sb_task_note(task, "errors are those of a picture of %d x %d pixels",
                      drawing.width, drawing.height);
+    note_left_out(task);
     if (no_probe.status != SB_OK)
         sb_task_note(task, "%s", no_probe.text);
     else
@@ -316,7 +348,8 @@ static void fill_split(const struct sb_split *split, struct sb_row *row)
 {
     row->pixels_compared = split->compared;
     row->pixels_mismatched = split->mismatched;
-    row->decision_flips = split->flips;
+    if (split->flips >= 0)
+        row->decision_flips = split->flips;
     if (split->raw_nonfinite >= 0) {
         row->raw_nonfinite = split->raw_nonfinite;
         row->raw_negative = split->raw_negative;

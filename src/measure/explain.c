@@ -19,8 +19,9 @@
 #define LIMITS_specular_weight 1, 64
 
 const struct sb_term_row sb_term_rows[SB_TERM_COUNT] = {
-#define TERM(name, components, place, help)                                              \
-    {#name, help, components, place, offsetof(struct sb_ref_terms, name), LIMITS_##name},
+#define TERM(name, components, place, axes, help)                                        \
+    {#name,        axes, help, components, place, offsetof(struct sb_ref_terms, name),   \
+     LIMITS_##name},
     SB_REF_TERMS(TERM)
 #undef TERM
 };
@@ -72,12 +73,12 @@ static bool draw_page(const struct source *source, enum sb_probe_page page, int 
 }
 
 // One pixel of a whole picture.
-static bool draw_pixel(const struct source *source, enum sb_image_kind kind, bool wide,
-                       float *pixel, struct sb_error *err)
+static bool draw_pixel(const struct source *source,
+                       const struct sb_image_request *request, float *pixel,
+                       struct sb_error *err)
 {
-    const struct sb_image_request request = {.kind = kind, .wide = wide};
     struct sb_image image = {0};
-    if (!draw(source, &request, &image, err))
+    if (!draw(source, request, &image, err))
         return false;
     memcpy(pixel, sb_image_at(&image, source->params->x, source->params->y),
            (size_t)image.channels * sizeof *pixel);
@@ -138,11 +139,15 @@ static bool read_maps(const struct source *source, struct sb_explanation *explan
 static bool compare_probe(const struct source *source, struct sb_explanation *explanation,
                           struct sb_error *err)
 {
-    float colour[4];
-    if (!draw_pixel(source, SB_IMAGE_PROBE_COLOUR, true, colour, err))
+    const struct sb_image_request of_probe = {.kind = SB_IMAGE_PROBE_COLOUR};
+    const struct sb_image_request of_timed = {
+        .kind = SB_IMAGE_COLOUR, .wide = true, .single = true};
+    float colour[4], single[4];
+    if (!draw_pixel(source, &of_probe, colour, err) ||
+        !draw_pixel(source, &of_timed, single, err))
         return false;
     for (int c = 0; c < 3; c++) {
-        const double probed = colour[c], timed = explanation->wide[c];
+        const double probed = colour[c], timed = single[c];
         const bool same = probed == timed || (isnan(probed) && isnan(timed));
         const double off = isnan(probed - timed) ? INFINITY : fabs(probed - timed);
         if (!same)
@@ -165,8 +170,8 @@ static void judge(const struct sb_explanation *explanation,
         for (int c = 0; c < row->components; c++)
             light->ulps[t] =
                 fmax(light->ulps[t], sb_ulps(light->driver[row->place + c], reference[c],
-                                             row->floor, explanation->bits));
-        const double most = fmin(row->wrong, ldexp(1, explanation->bits - 4));
+                                             row->floor, explanation->bits[t]));
+        const double most = fmin(row->wrong, ldexp(1, explanation->bits[t] - 4));
         if (light->wrong < 0 && !(light->ulps[t] <= most)) // NAN: wrong
             light->wrong = t;
     }
@@ -185,7 +190,8 @@ static bool read_lights(const struct source *source, struct sb_explanation *expl
             memcpy(light->driver, values + PAGE, sizeof light->driver);
             light->reference = &explanation->point[p].reference.terms[i];
             judge(explanation, light);
-            if (light->wrong >= 0 && explanation->wrong_term < 0) {
+            if (light->wrong >= 0 && explanation->wrong_term < 0 &&
+                explanation->probe_off == 0) {
                 explanation->wrong_point = p;
                 explanation->wrong_light = i;
                 explanation->wrong_term = light->wrong;
@@ -238,8 +244,9 @@ static void evaluate(const struct sb_explain_params *params,
 static bool find_triangle(const struct source *source, struct sb_explanation *explanation,
                           struct sb_error *err)
 {
+    const struct sb_image_request request = {.kind = SB_IMAGE_GEOMETRY};
     float seen[4];
-    if (!draw_pixel(source, SB_IMAGE_GEOMETRY, false, seen, err))
+    if (!draw_pixel(source, &request, seen, err))
         return false;
     explanation->draw = (int)seen[0] - 1;
     explanation->triangle = (int)seen[1] - 1;
@@ -296,20 +303,34 @@ static void take_given(const struct sb_explain_params *params,
            sizeof explanation->given);
 }
 
-// Significant bits of the least precise format that a term of the lighting is computed in.
-static int effective_bits(const struct sb_explain_params *params)
+int sb_effective_bits(const struct sb_task *task, const struct sb_driver *driver,
+                      const char *axes)
 {
     const struct sb_asked_precision asked =
-        sb_platform_precision(&params->task->assembly.job.variant);
+        sb_platform_precision(&task->assembly.job.variant);
     for (int i = 0; i < SB_PRECISION_TERMS; i++) {
         const struct sb_asked_term *term = &asked.term[i];
         const struct sb_precision_verdict *verdict = sb_driver_precision(
-            params->driver, term->vertex_stage, term->carrier, term->declared);
-        if (term->declared > 0 && (asked.emulation != SB_EMULATED_NOT ||
-                                   (verdict && verdict->effective == SB_EFFECTIVE_FP16)))
+            driver, term->vertex_stage, term->carrier, term->declared);
+        const bool reduced = asked.emulation != SB_EMULATED_NOT ||
+                             (verdict && verdict->effective != SB_EFFECTIVE_FP32 &&
+                              verdict->effective != SB_EFFECTIVE_UNKNOWN);
+        if (term->declared > 0 && reduced && (!axes || strstr(axes, term->name)))
             return 11;
     }
     return 24;
+}
+
+static bool has_probe(const struct sb_task *task, struct sb_error *err)
+{
+    const struct sb_job *job = &task->assembly.job;
+    for (int i = 0; i < job->program_count; i++)
+        if (strcmp(job->program[i].role, "probe") == 0)
+            return true;
+    return sb_fail(
+        err, SB_BAD_INPUT,
+        "glsl=100: a shader of GLSL ES 1.00 has one output, and cannot tell what "
+        "it computed on the way; valid: --glsl 300es");
 }
 
 // The displayed colour, and with it the size of the picture.
@@ -346,19 +367,22 @@ bool sb_explain(const struct sb_explain_params *params,
         .width = params->width,
         .height = params->height,
     };
+    const struct sb_image_request wide = {.kind = SB_IMAGE_COLOUR, .wide = true};
     *explanation = (struct sb_explanation){
         .x = params->x,
         .y = params->y,
-        .bits = effective_bits(params),
         .wrong_point = -1,
         .wrong_light = -1,
         .wrong_term = -1,
     };
-    if (!read_own(&source, explanation, err) ||
+    for (int t = 0; t < SB_TERM_COUNT; t++)
+        explanation->bits[t] =
+            sb_effective_bits(params->task, params->driver, sb_term_rows[t].axes);
+    if (!has_probe(params->task, err) || !read_own(&source, explanation, err) ||
         !sb_truths_get(params->truths, params->task, source.width, source.height,
                        &explanation->truth, err) ||
         !find_triangle(&source, explanation, err) ||
-        !draw_pixel(&source, SB_IMAGE_COLOUR, true, explanation->wide, err))
+        !draw_pixel(&source, &wide, explanation->wide, err))
         return false;
     const struct sb_scene *scene = explanation->truth.scene;
     take_colours(explanation);

@@ -7,13 +7,13 @@
 // --- the terms of a light ----------------------------------------------------------------
 
 enum sb_term {
-#define TERM(name, components, place, help) SB_TERM_##name,
+#define TERM(name, components, place, axes, help) SB_TERM_##name,
     SB_REF_TERMS(TERM)
 #undef TERM
         SB_TERM_COUNT
 };
 struct sb_term_row {
-    const char *name, *help;
+    const char *name, *axes, *help; // axes: whose precision it has
     int components;
     int place;     // of the first in SB_PROBE_LIGHT
     size_t offset; // in struct sb_ref_terms
@@ -26,6 +26,11 @@ extern const struct sb_term_row sb_term_rows[SB_TERM_COUNT];
 // many significant bits (24: binary32, 11: binary16) and smallest normal exponent; infinity
 // where only one of them is finite.
 double sb_ulps(double value, double reference, double floor, int bits);
+
+// Significant bits of the least precise format that these axes ("p_vector p_color"; NULL: all) come
+// to: 24, or 11 where one of them is proven, or emulated, to be less than binary32.
+int sb_effective_bits(const struct sb_task *task, const struct sb_driver *driver,
+                      const char *axes);
 
 struct sb_explained_light {
     enum sb_light_type type;
@@ -55,8 +60,10 @@ struct sb_explanation {
     float driver_weight[3];    // the driver's own
     struct sb_ref_input exact; // interpolated by the exact weights, world space
     const struct sb_material *material;
-    int light_count, bits; // bits: significant, of the effective precision
-    int point_count;       // 1, or 3 vertices
+    int light_count;
+    int bits
+        [SB_TERM_COUNT]; // significant ones of the precision that a term was computed in
+    int point_count;     // 1, or 3 vertices
     struct sb_explained_point point[3];
     bool has_maps;  // the variant reads any
     float maps[12]; // then SB_PROBE_MAPS of the pixel, wherever it is lit

@@ -6,6 +6,7 @@
 #include "image/heat.h"
 #include "image/sheet.h"
 #include "measure/accuracy.h"
+#include "measure/interrupt.h"
 
 struct writer {
     const struct sb_pictures_params *params;
@@ -113,7 +114,7 @@ bool sb_pictures_write(const struct sb_pictures_params *params, struct sb_error 
     writer.folder = sb_path_join(&writer.arena, params->dir, "images");
     sb_text_add(&writer.legend, "row\tcolumn\tscene\tvariant\n");
     bool good = sb_dir_make(writer.folder, err);
-    for (int i = 0; good && i < params->task_count; i++) {
+    for (int i = 0; good && i < params->task_count && !sb_interrupted(); i++) {
         const struct sb_task *task = &params->task[i];
         if (!task->loaded)
             continue;

@@ -42,34 +42,48 @@ static bool matches(const struct sb_split_params *params, const struct pixel *pi
 
 // --- branches that went another way ----------------------------------------------------------
 
-static bool vertex_flipped(const struct sb_split_params *params,
-                           const struct pixel *pixel)
+struct flip {
+    bool differs;
+    double margin; // how near the branch was to going that way in double as well
+};
+
+static struct flip flip_at_corners(const struct sb_split_params *params,
+                                   const struct pixel *pixel)
 {
     const struct sb_ref_ground *ground = params->ground;
+    struct flip flip = {.margin = INFINITY};
     int corner[3];
     sb_ref_geometry_corners(ground->geometry, pixel->driver, corner);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3 && params->probe; i++) {
         const int vertex = ground->first_vertex[pixel->driver.draw] + corner[i];
         const uint32_t there = (uint32_t)sb_image_at(params->probe, vertex, 0)[DECISIONS];
-        if (there != params->model->vertex[vertex].decisions)
-            return true;
+        if (there == params->model->vertex[vertex].decisions)
+            continue;
+        flip.differs = true;
+        flip.margin = fmin(flip.margin, params->model->vertex[vertex].margin);
     }
-    return false;
+    return flip;
 }
 
-static bool flipped(const struct sb_split_params *params, const struct pixel *pixel)
+// Did the driver, or what it was given, take another branch than the variant's own model?
+static struct flip flip_of(const struct sb_split_params *params,
+                           const struct pixel *pixel)
 {
-    const uint32_t ideal = params->ideal->decisions[pixel->at];
     if (is_lamp(params, pixel->driver.draw))
-        return false;
-    if (params->model->vertex) // branches at vertices have no counterpart in the ideal
-        return params->probe && vertex_flipped(params, pixel);
-    const struct sb_ref_picture *own = params->given ? params->given : params->model;
-    if (!params->probe) // how the driver decided is not known
-        return own->decisions[pixel->at] != ideal;
-    const uint32_t there =
-        (uint32_t)sb_image_at(params->probe, pixel->x, pixel->y)[DECISIONS];
-    return there != ideal || there != own->decisions[pixel->at];
+        return (struct flip){0};
+    if (params->model->vertex)
+        return flip_at_corners(params, pixel);
+    if (!params->given)
+        return (struct flip){0};
+    const uint32_t given = params->given->decisions[pixel->at];
+    const uint32_t there = params->probe ? (uint32_t)sb_image_at(params->probe, pixel->x,
+                                                                 pixel->y)[DECISIONS]
+                                         : given;
+    return (struct flip){
+        .differs = there != given || given != params->model->decisions[pixel->at],
+        .margin =
+            fmin(params->given->margin[pixel->at], params->model->margin[pixel->at]),
+    };
 }
 
 // --- the parts -------------------------------------------------------------------------------
@@ -91,7 +105,7 @@ static void parts_of(const struct sb_split_params *params, const struct pixel *p
 }
 
 static void add_pixel(const struct sb_split_params *params, const struct pixel *pixel,
-                      struct sb_split *split)
+                      struct sb_split *split, int64_t known[SB_BY_COUNT])
 {
     for (int c = 0; c < 3; c++) {
         double part[SB_BY_COUNT];
@@ -104,6 +118,7 @@ static void add_pixel(const struct sb_split_params *params, const struct pixel *
             const double size = fabs(part[p]);
             if (!isfinite(size)) // not known, or not finite: those are counted elsewhere
                 continue;
+            known[p]++;
             split->part[p].mean += size;
             if (size > split->part[p].max) {
                 split->part[p].max = size;
@@ -127,9 +142,27 @@ static void count_raw(const struct sb_split_params *params, struct sb_split *spl
     }
 }
 
+static void take_pixel(const struct sb_split_params *params, const struct pixel *pixel,
+                       struct sb_split *split, int64_t known[SB_BY_COUNT])
+{
+    split->covered++;
+    if (!matches(params, pixel)) {
+        split->mismatched++;
+        return;
+    }
+    const struct flip flip = flip_of(params, pixel);
+    split->flips += flip.differs;
+    if (flip.differs && flip.margin <= params->decision_bound)
+        return;
+    split->compared++;
+    split->counted[pixel->at] = 1;
+    add_pixel(params, pixel, split, known);
+}
+
 void sb_split_measure(const struct sb_split_params *params, struct sb_split *split)
 {
     const int width = params->ground->width, height = params->ground->height;
+    int64_t known[SB_BY_COUNT] = {0};
     *split = (struct sb_split){
         .counted = sb_alloc((size_t)width * (size_t)height),
         .gouraud = NAN,
@@ -138,26 +171,15 @@ void sb_split_measure(const struct sb_split_params *params, struct sb_split *spl
     for (int y = 0; y < height; y++)
         for (int x = 0; x < width; x++) {
             const struct pixel pixel = pixel_of(params, x, y);
-            const bool covered =
-                pixel.driver.draw >= 0 || params->ground->cover[pixel.at].draw >= 0;
-            if (!covered)
-                continue;
-            if (!matches(params, &pixel)) {
-                split->mismatched++;
-            } else if (flipped(params, &pixel)) {
-                split->flips++;
-            } else {
-                split->compared++;
-                split->counted[pixel.at] = 1;
-                add_pixel(params, &pixel, split);
-            }
+            if (pixel.driver.draw >= 0 || params->ground->cover[pixel.at].draw >= 0)
+                take_pixel(params, &pixel, split, known);
         }
     for (int p = 0; p < SB_BY_COUNT; p++) {
-        const bool known =
-            split->compared > 0 &&
-            (params->given || p == SB_BY_FORMULATION || p == SB_BY_QUANTISATION);
-        split->part[p].mean =
-            known ? split->part[p].mean / (3 * (double)split->compared) : (double)NAN;
-        split->part[p].max = known ? split->part[p].max : (double)NAN;
+        split->part[p].mean = known[p] ? split->part[p].mean / (double)known[p] : NAN;
+        split->part[p].max = known[p] ? split->part[p].max : (double)NAN;
     }
+    const bool branches_known =
+        params->model->vertex ? params->probe != NULL : params->given != NULL;
+    if (!branches_known)
+        split->flips = -1;
 }

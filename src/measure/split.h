@@ -23,13 +23,19 @@ struct sb_split_params { // pictures of one size
     const struct sb_image *geometry;    // SB_IMAGE_GEOMETRY
     const struct sb_image *wide, *own; // the colour as floats, and in the target's format
     // Lit per fragment: page SB_PROBE_INPUTS. Lit per vertex: the same of all vertices. NULL: raw
-    // terms and the driver's branches are not known, and flips are those of the reference.
+    // terms and the driver's branches are not known, and flips are those of its inputs.
     const struct sb_image *probe;
+    // A branch that went another way is left out of the errors where it is at most so far from
+    // having done so in double, in cosines: rounding explains it. Farther off it is an error.
+    double decision_bound;
     bool interior; // only pixels that lie in one triangle are compared
 };
 
 struct sb_split {
-    int64_t compared, mismatched, flips;
+    int64_t covered; // by the scene, for the driver or the reference
+    int64_t compared, mismatched;
+    int64_t
+        flips; // pixels of which a branch went another way, left out or not; -1: not known
     int64_t raw_nonfinite, raw_negative; // -1: not known
     unsigned char *counted;              // a pixel: compared; the caller frees
     struct {

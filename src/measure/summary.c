@@ -242,7 +242,9 @@ static void fill_status(const struct sb_task *task, struct sb_row *row)
     for (int i = 0; i < task->sample_count; i++)
         valid += !isnan(sb_sample_frame_ms(&task->sample[i]));
     if (!failed && task->sample_count == 0)
-        status = task->untimed ? SB_ACCURACY_ONLY : SB_NOT_MEASURED;
+        status = !task->untimed || !task->accuracy.known ? SB_NOT_MEASURED
+                 : status == SB_OK                       ? SB_ACCURACY_ONLY
+                                                         : status;
     else if (!failed && valid < share_of_valid_samples * task->sample_count)
         status = SB_SAMPLES_INVALID;
     else if (!failed && isnan(row->ci_lo_ms))

@@ -118,17 +118,6 @@ static void fail_prepare(struct sb_task *task)
     sb_task_fail(task, err);
 }
 
-// Is a value of some axis for accuracy only?
-static bool is_untimed(const struct sb_axes *axes, const struct sb_variant *variant)
-{
-    for (int a = 0; a < axes->count; a++) {
-        const struct sb_axis *axis = &axes->row[a];
-        if (axis->values && axis->values[(int)variant->value[a]].flags & SB_UNTIMED)
-            return true;
-    }
-    return false;
-}
-
 void sb_task_prepare(struct sb_task *task, const struct sb_prepare_params *params,
                      uint32_t id)
 {
@@ -145,7 +134,7 @@ void sb_task_prepare(struct sb_task *task, const struct sb_prepare_params *param
         .probe = !params->movable_lights,
     };
     struct sb_error err = {0};
-    task->untimed = is_untimed(&params->suite->axes, &task->entry->variant);
+    task->untimed = sb_variant_untimed(&params->suite->axes, &task->entry->variant);
     task->nonfinite = task->negative = SB_NO_COUNT;
     task->class_spread = task->shadow_share = NAN;
     if (!sb_assemble(&assemble, &task->assembly, &err)) {

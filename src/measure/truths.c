@@ -144,7 +144,7 @@ static const struct sb_ref_picture *picture_of(struct sb_truths *truths, enum ki
     const uint64_t key = with_size(share, width, height);
     struct kept *kept = find(truths, kind, key);
     if (!kept) {
-        kept = add(truths, kind, key, 29 * (size_t)width * (size_t)height);
+        kept = add(truths, kind, key, 33 * (size_t)width * (size_t)height);
         (kind == IDEAL ? sb_ref_ideal : sb_ref_model)(&ground->ground, variant,
                                                       &kept->picture);
         truths->rendered++;

@@ -108,6 +108,8 @@ void sb_ref_cone(const struct sb_ref_choice *choice, const struct sb_light *ligh
         incident->cone = smooth(choice, light, &angle);
         return;
     default:
+        incident->cone_margin =
+            fabs(one_minus_cut_off(choice, light) - angle.one_minus_product);
         incident->in_cone = angle.one_minus_product <= one_minus_cut_off(choice, light);
         incident->cone = !incident->in_cone             ? 0
                          : choice->cone == SB_CONE_HARD ? 1

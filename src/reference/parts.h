@@ -84,7 +84,9 @@ struct sb_ref_incident {
     struct sb_vec3 direction; // unit length; 0 on the light itself
     struct sb_vec3 highlight; // as direction, to where highlights come from
     double attenuation, cone;
-    bool in_cone; // of a hard or exponential cone: is the cosine at least the cut-off's?
+    bool
+        in_cone; // of a hard or exponential cone: is the cosine at least the cut-off's? …
+    double cone_margin; // … and by how much it is on its side
 };
 struct sb_ref_incident sb_ref_incident_of(const struct sb_ref_shading *shading,
                                           const struct sb_ref_choice *choice,

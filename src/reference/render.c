@@ -51,6 +51,7 @@ void sb_ref_picture_free(struct sb_ref_picture *picture)
 {
     sb_image64_free(&picture->colour);
     free(picture->decisions);
+    free(picture->margin);
     free(picture->valid);
     free(picture->vertex);
     *picture = (struct sb_ref_picture){0};
@@ -164,15 +165,17 @@ static bool unlit(const struct sb_ref_ground *ground, int draw, struct sb_vec3 *
     return true;
 }
 
+// `shade`: NULL: of no one point.
 static void put(struct sb_ref_picture *picture, int x, int y, struct sb_vec3 colour,
-                uint32_t decisions)
+                const struct sb_ref_shade *shade)
 {
     double *pixel = sb_image64_at(&picture->colour, x, y);
     const long at = (long)y * picture->colour.width + x;
     pixel[0] = colour.x;
     pixel[1] = colour.y;
     pixel[2] = colour.z;
-    picture->decisions[at] = decisions;
+    picture->decisions[at] = shade ? shade->decisions : 0;
+    picture->margin[at] = shade ? (float)shade->margin : INFINITY;
     picture->valid[at] = 1;
 }
 
@@ -210,11 +213,11 @@ static void ideal_pixel(struct work *work, int x, int y)
     struct sb_ref_shade shade;
     struct sb_vec3 colour;
     if (unlit(ground, at.draw, &colour)) {
-        put(work->picture, x, y, colour, 0);
+        put(work->picture, x, y, colour, NULL);
     } else if (sb_ref_geometry_truth(ground->geometry, at, x, y, &input)) {
         input = to_lighting(&work->lighting, &input);
         sb_ref_shade(shading, &input, material_of(ground, at.draw), &shade, NULL);
-        put(work->picture, x, y, sb_ref_colour(shading, &shade, &input), shade.decisions);
+        put(work->picture, x, y, sb_ref_colour(shading, &shade, &input), &shade);
     }
 }
 
@@ -254,7 +257,7 @@ static void gouraud_pixel(struct work *work, int x, int y, struct sb_ref_cover a
     for (int i = 0; i < 3; i++)
         shade[i] = &work->picture->vertex[ground->first_vertex[at.draw] + corner[i]];
     put(work->picture, x, y, gouraud(&work->lighting.shading, at, weight, shade, maps),
-        0);
+        NULL);
 }
 
 static void lit_pixel(struct work *work, int x, int y, int draw,
@@ -263,7 +266,7 @@ static void lit_pixel(struct work *work, int x, int y, int draw,
     const struct sb_ref_shading *shading = &work->lighting.shading;
     struct sb_ref_shade shade;
     sb_ref_shade(shading, input, material_of(work->ground, draw), &shade, NULL);
-    put(work->picture, x, y, sb_ref_colour(shading, &shade, input), shade.decisions);
+    put(work->picture, x, y, sb_ref_colour(shading, &shade, input), &shade);
 }
 
 static void model_pixel(struct work *work, int x, int y)
@@ -273,7 +276,7 @@ static void model_pixel(struct work *work, int x, int y)
     struct sb_vec3 colour;
     double weight[3];
     if (unlit(ground, at.draw, &colour)) {
-        put(work->picture, x, y, colour, 0);
+        put(work->picture, x, y, colour, NULL);
     } else if (!sb_ref_geometry_weights(ground->geometry, at, x, y, weight)) {
         return; // seen edge-on
     } else if (work->per_vertex) {
@@ -317,7 +320,7 @@ static void given_pixel(struct work *work, int x, int y)
                                     .triangle = (int)seen_by_driver[1] - 1};
     struct sb_vec3 colour;
     if (unlit(ground, at.draw, &colour)) {
-        put(work->picture, x, y, colour, 0);
+        put(work->picture, x, y, colour, NULL);
     } else if (work->per_vertex) {
         const double second = seen_by_driver[2], third = seen_by_driver[3];
         const double weight[3] = {1 - second - third, second, third};
@@ -372,6 +375,7 @@ static void render(const struct sb_ref_ground *ground, const struct sb_variant *
     };
     *picture = (struct sb_ref_picture){
         .decisions = sb_alloc(pixels * sizeof *picture->decisions),
+        .margin = sb_alloc(pixels * sizeof *picture->margin),
         .valid = sb_alloc(pixels),
     };
     sb_image64_init(&picture->colour, ground->width, ground->height, 3);

@@ -31,6 +31,7 @@ struct sb_ref_picture {
     uint32_t *
         decisions; // a pixel: sb_ref_shade.decisions; lit per vertex, and where nothing is
                    // lit, 0
+    float *margin; // a pixel: sb_ref_shade.margin
     unsigned char
         *valid; // a pixel: 0 where there is no such point; the background is valid
     struct sb_ref_shade *vertex; // lit per vertex: of all lit draws; else NULL

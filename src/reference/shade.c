@@ -13,7 +13,14 @@ struct lighting {
     struct sb_vec3 side; // the normal without a map
     struct sums sums;
     uint32_t decisions;
+    double margin;
 };
+
+static void decide(struct lighting *it, int outcome, double margin)
+{
+    it->decisions = sb_ref_decide(it->decisions, outcome);
+    it->margin = fmin(it->margin, margin);
+}
 
 static void add(struct sb_vec3 *sum, const float colour[3], double weight)
 {
@@ -59,7 +66,7 @@ static double shown_of(struct lighting *it, const struct sb_light *light, int nu
         .n_dot_l = n_dot_l,
     };
     const double shown = sb_ref_shown(it->shading, &it->choice, &sight);
-    it->decisions = sb_ref_decide(it->decisions, (int)(16 * shown + 0.5));
+    decide(it, (int)(16 * shown + 0.5), 0);
     return shown;
 }
 
@@ -80,12 +87,12 @@ static void add_light(struct lighting *it, const struct sb_light *light,
     double shown = 1, specular = 0;
     if (type == SB_LIGHT_SPOT &&
         (choice->cone == SB_CONE_HARD || choice->cone == SB_CONE_EXPONENT))
-        it->decisions = sb_ref_decide(it->decisions, incident.in_cone);
+        decide(it, incident.in_cone, incident.cone_margin);
     if (type == SB_LIGHT_POINT && number < choice->casters)
         shown = shown_of(it, light, number, &incident, n_dot_l);
     if (choice->model != SB_MODEL_LAMBERT) {
         if (choice->cuts_back)
-            it->decisions = sb_ref_decide(it->decisions, n_dot_l > 0);
+            decide(it, n_dot_l > 0, fabs(n_dot_l));
         // A factor of 0 spares the power: no terms are asked of it.
         if ((!choice->cuts_back || n_dot_l > 0) && (terms || factor * shown > 0))
             specular =
@@ -103,7 +110,8 @@ void sb_ref_shade(const struct sb_ref_shading *shading, const struct sb_ref_inpu
                   const struct sb_material *material, struct sb_ref_shade *shade,
                   struct sb_ref_terms *terms)
 {
-    struct lighting it = {.shading = shading, .choice = sb_ref_choose(shading)};
+    struct lighting it = {
+        .shading = shading, .choice = sb_ref_choose(shading), .margin = INFINITY};
     it.surface = sb_ref_surface_of(shading, &it.choice, input, material);
     if (it.choice.casters > 0)
         it.side = sb_ref_unit(input->normal);
@@ -127,6 +135,7 @@ void sb_ref_shade(const struct sb_ref_shading *shading, const struct sb_ref_inpu
         .view = it.surface.view,
         .normal = it.surface.normal,
         .decisions = it.decisions,
+        .margin = it.margin,
     };
 }
 

@@ -29,20 +29,31 @@ struct sb_ref_shading {
 
 // The parts of one light's contribution, in the order in which they follow from each other: the
 // first that is wrong spoils those behind it. One list: name, components, place of the first
-// in the page "light" of the probe (docs/glsl.md), help.
+// in the page "light" of the probe (docs/glsl.md), the axes whose precision it has, its own or that
+// of what it is made from, help.
 #define SB_REF_TERMS(TERM)                                                               \
-    TERM(distance, 1, 0, "from the surface to the light; 0 for directional lights")      \
-    TERM(direction, 3, 6, "unit vector to the light, in the space of the lighting")      \
-    TERM(attenuation, 1, 1, "attenuation; 1 where the variant has none")                 \
-    TERM(cone, 1, 2, "attenuation across the cone of a spot light; else 1")              \
-    TERM(shown, 1, 3, "share of the light that no shadow takes")                         \
-    TERM(n_dot_l, 1, 4, "cosine between normal and light")                               \
-    TERM(specular, 1, 5, "specular factor; 0 where the variant has none or it is cut")   \
-    TERM(diffuse_weight, 1, 9, "factor on the light's diffuse colour")                   \
-    TERM(specular_weight, 1, 10, "factor on the light's specular colour")
+    TERM(distance, 1, 0, "p_position p_attenuation p_uniform",                           \
+         "from the surface to the light; 0 for directional lights")                      \
+    TERM(direction, 3, 6, "p_position p_vector p_uniform",                               \
+         "unit vector to the light, in the space of the lighting")                       \
+    TERM(attenuation, 1, 1, "p_position p_attenuation p_uniform",                        \
+         "attenuation; 1 where the variant has none")                                    \
+    TERM(cone, 1, 2, "p_position p_vector p_attenuation p_uniform",                      \
+         "attenuation across the cone of a spot light; else 1")                          \
+    TERM(shown, 1, 3, "p_position p_vector p_attenuation p_uniform",                     \
+         "share of the light that no shadow takes")                                      \
+    TERM(n_dot_l, 1, 4, "p_position p_vector p_uniform",                                 \
+         "cosine between normal and light")                                              \
+    TERM(specular, 1, 5, "p_position p_vector p_specular p_uniform",                     \
+         "specular factor; 0 where the variant has none or it is cut")                   \
+    TERM(diffuse_weight, 1, 9, "p_position p_vector p_attenuation p_color p_uniform",    \
+         "factor on the light's diffuse colour")                                         \
+    TERM(specular_weight, 1, 10,                                                         \
+         "p_position p_vector p_attenuation p_specular p_color p_uniform",               \
+         "factor on the light's specular colour")
 
 struct sb_ref_terms {
-#define TERM(name, components, place, help) double name[components];
+#define TERM(name, components, place, axes, help) double name[components];
     SB_REF_TERMS(TERM)
 #undef TERM
 };
@@ -56,6 +67,9 @@ struct sb_ref_shade {
     // the cut-off), then of the lights that cast shadows (int)(16 * shown + 0.5), then, where highlights
     // are cut on back faces, n_dot_l > 0.
     uint32_t decisions;
+    // How far the nearest of these branches is from going the other way, in cosines; 0 where there
+    // are shadows, whose edges lie anywhere; INFINITY where there is no branch.
+    double margin;
 };
 static inline uint32_t sb_ref_decide(uint32_t decisions, int outcome)
 {

@@ -75,3 +75,15 @@ bool sb_ref_mixes_edges(const struct sb_variant *variant)
 {
     return variant->value[SB_AXIS_SAMPLES] > 1;
 }
+
+// A ray takes about as long as four lights.
+double sb_ref_work(const struct sb_variant *variant)
+{
+    static const double taps[] = {
+        [SB_SHADOW_FILTER_1] = 1, [SB_SHADOW_FILTER_4] = 4, [SB_SHADOW_FILTER_16] = 16};
+    double lights = 1;
+    for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++)
+        lights += sb_lights_shining(variant, (enum sb_light_type)type);
+    return lights + 4 * variant->value[SB_AXIS_SHADOWS] *
+                        taps[(int)variant->value[SB_AXIS_SHADOW_FILTER]];
+}

@@ -23,5 +23,8 @@ bool sb_ref_needs_frame(const struct sb_variant *variant);
 bool sb_ref_needs_map(const struct sb_variant *variant, enum sb_map map);
 bool sb_ref_needs_maps(const struct sb_variant *variant);
 
+// What a picture of the reference costs, in units of a pixel and light: shadows are rays.
+double sb_ref_work(const struct sb_variant *variant);
+
 // May only pixels that lie in one triangle be compared, since the others mix several?
 bool sb_ref_mixes_edges(const struct sb_variant *variant);

@@ -31,10 +31,11 @@ static bool is_right(const struct one_params *params)
     // A program that is drawn otherwise when it tells of its lights tells its inputs at least.
     const bool altered = one.task.status == SB_INSTRUMENTATION;
     assert_true(altered == (split->raw_nonfinite < 0));
-    assert_true(altered == (strstr(sb_text_get(&one.task.note), "branches") != NULL));
+    assert_true(altered ==
+                (strstr(sb_text_get(&one.task.note), "driver's branches") != NULL));
     assert_true(altered ? !accuracy->term : true);
     // Little is left out.
-    assert_true(split->compared > 9 * (split->mismatched + split->flips));
+    assert_true(split->compared > 3 * split->mismatched);
     one_free(&one);
     return right;
 }
