@@ -34,8 +34,9 @@ static bool is_right(const struct one_params *params)
     assert_true(altered ==
                 (strstr(sb_text_get(&one.task.note), "driver's branches") != NULL));
     assert_true(altered ? !accuracy->term : true);
-    // Little is left out.
-    assert_true(split->compared > 3 * split->mismatched);
+    // Little is left out, but for edges that several samples mix.
+    const bool mixed = strstr(params->words, "samples=") != NULL;
+    assert_true(split->compared > (mixed ? 0 : 9 * split->mismatched));
     one_free(&one);
     return right;
 }
