@@ -120,11 +120,12 @@ static void terms_lowers_and_raises_each_term_alone(void **state)
         raised[last_high] += low == TERMS - 1;
         assert_true(v->value[SB_AXIS_TARGET] == SB_TARGET_RGBA32F);
     }
-    assert_int_equal(rows[0], 1);
-    assert_int_equal(rows[TERMS], 1);
+    enum { SCENES = 2 };
+    assert_int_equal(rows[0], SCENES);
+    assert_int_equal(rows[TERMS], SCENES);
     for (int t = 0; t < TERMS; t++) {
-        assert_int_equal(lowered[t], 1);
-        assert_int_equal(raised[t], 1);
+        assert_int_equal(lowered[t], SCENES);
+        assert_int_equal(raised[t], SCENES);
     }
 }
 
