@@ -85,6 +85,8 @@ static void name_dominator(const struct sb_pareto_params *params, struct sb_row 
             dominates(params, other, row) && (!best || is_better(other, best)))
             best = other;
     }
+    if (!best)
+        return;
     row->dominated_by = best->variant;
     row->dominated_time = row->median_ms / best->median_ms;
     row->dominated_err = row->max_err == best->max_err ? 1 : row->max_err / best->max_err;

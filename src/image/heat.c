@@ -166,7 +166,7 @@ static void draw_scale(const struct scale *scale)
     draw_number(scale, range->low);
     draw_tick(scale, scale->top);
     draw_number(scale, range->high);
-    for (double decade = ceil(range->low); decade < range->high; decade++) {
+    for (int decade = (int)ceil(range->low); decade < range->high; decade++) {
         const int dots = dots_of(scale, decade);
         draw_tick(scale, dots);
         if (dots >= free_from && dots <= scale->top - LINE) {
