@@ -97,8 +97,10 @@ static bool draw_wide(struct drawing *drawing, struct pictures *pictures,
                       struct sb_error *err)
 {
     bool good = draw(drawing, SB_IMAGE_COLOUR, 0, true, &pictures->wide, err);
+    if (!good || !sb_ref_mixes_edges(&drawing->task->assembly.job.variant))
+        return good;
     drawing->single = true;
-    good = good && draw(drawing, SB_IMAGE_COLOUR, 0, true, &pictures->single, err);
+    good = draw(drawing, SB_IMAGE_COLOUR, 0, true, &pictures->single, err);
     drawing->single = false;
     return good;
 }
@@ -134,13 +136,15 @@ static bool same_bits(const struct sb_image *a, const struct sb_image *b)
 static bool draws_same(const struct drawing *drawing, struct pictures *pictures,
                        struct sb_error *err)
 {
+    const struct sb_image *timed =
+        pictures->single.data ? &pictures->single : &pictures->wide;
     struct sb_image_difference difference;
     sb_image_free(&pictures->probe_colour);
     if (!draw(drawing, SB_IMAGE_PROBE_COLOUR, 0, true, &pictures->probe_colour, err))
         return false;
-    if (same_bits(&pictures->single, &pictures->probe_colour))
+    if (same_bits(timed, &pictures->probe_colour))
         return true;
-    sb_image_compare(&pictures->single, &pictures->probe_colour, &difference);
+    sb_image_compare(timed, &pictures->probe_colour, &difference);
     return sb_fail(err, SB_INSTRUMENTATION,
                    "the instrumented program draws %ld pixels otherwise, by up to %.3g",
                    difference.pixels, difference.max);
