@@ -1,7 +1,7 @@
 # Sourced by the other scripts: the Debian packages that shadebench needs, and their
-# installation. One list a purpose.
+# installation. One list a purpose. g++: for libstdc++, which glslang is linked with.
 
-packages_build="gcc libc6-dev cmake ninja-build pkg-config libyaml-dev libjansson-dev
+packages_build="gcc g++ libc6-dev cmake ninja-build pkg-config libyaml-dev libjansson-dev
     libpng-dev glslang-dev libspirv-cross-c-shared-dev python3-glad libegl-dev libosmesa6-dev
     libglfw3-dev"
 packages_run="libegl1 libgl1-mesa-dri libosmesa6 libglfw3 mesa-vulkan-drivers glslang-tools"
