@@ -1,16 +1,21 @@
 // Fragment shader of the program "shade": light that leaves the surface, times the maps that
 // the lights have not applied already (hoist).
 #include "version/$(GLSL_FAMILY).glsl"
+#include "given/$(GIVEN).glsl"
 
-VARYING_IN P_VARYING vec2 v_uv;
+GIVEN_INPUT P_VARYING vec2 v_uv;
 DECLARE_O_COLOR
 
 #include "probe/$(PROBE).frag"
 #include "maps/$(MAPS).glsl"
 #include "stage/$(STAGE).frag"
 
+#define ROW_POINT int(gl_FragCoord.y) * ROW_POINTS_ACROSS + int(gl_FragCoord.x)
+#include "given/$(GIVEN)_inputs.glsl"
+
 void main()
 {
+    TAKE_INPUTS
     Shade shade = shade_here();
     IF_DIFFUSE_MAP(shade.diffuse *= diffuse_map(v_uv);)
     IF_SPECULAR_MAP(shade.specular *= specular_map(v_uv);)

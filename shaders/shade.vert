@@ -2,6 +2,7 @@
 // to the stage that lights it. The geometry is highp in every variant: not it is on trial, and
 // every variant covers the same pixels.
 #include "version/$(GLSL_FAMILY).glsl"
+#include "given/$(GIVEN).glsl"
 
 ATTRIBUTE highp vec3 a_position;
 ATTRIBUTE highp vec3 a_normal;
@@ -16,6 +17,7 @@ VARYING_OUT P_VARYING vec2 v_uv; // the linker drops it where no map reads it
 
 #include "space/$(SPACE).vert"
 #include "stage/$(STAGE).vert"
+#include "vertex_normal.glsl"
 
 void main()
 {
@@ -23,11 +25,7 @@ void main()
     gl_Position = u_view_projection * world;
     v_uv = a_uv;
 
-    // A zero normal (the tip of a cone, a collapsed triangle) stays zero, and so unlit, where
-    // normalize() gives NaN and blackens every triangle around the vertex.
-    highp vec3 normal = u_normal_matrix * a_normal;
-    highp float n2 = dot(normal, normal);
-    normal = n2 > 0.0 ? normal * inversesqrt(n2) : normal;
+    highp vec3 normal = vertex_normal(u_normal_matrix * a_normal);
     hand_over(lit_position(world), normal);
     IF_NORMAL_MAP(hand_over_frame(normal, lit_direction(mat3(u_model) * a_tangent.xyz));)
 }

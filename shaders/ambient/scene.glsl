@@ -1,5 +1,5 @@
 // ambient=scene: one term for the whole scene.
-uniform P_UNIFORM vec3 u_scene_ambient;
+GIVEN_UNIFORM P_UNIFORM vec3 u_scene_ambient;
 
 // What is read of a light.
 #define AMBIENT_OF(light) vec3(0.0)

@@ -1,7 +1,7 @@
 // hoist=once: what is the same for all fragments comes from the CPU; what is the same for all
 // lights is made before the first (the rest of this axis: IF_VIEW, IF_DIFFUSE_MAP and their
 // like in src/effects/effects.def).
-uniform P_POSITION vec3 u_camera_position; // world space
+GIVEN_UNIFORM P_POSITION vec3 u_camera_position; // world space
 
 P_POSITION vec3 eye()
 {

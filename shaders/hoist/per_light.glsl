@@ -1,7 +1,7 @@
 // hoist=per_light: trigonometry of the cone, map fetches and the place of the camera again for
 // each light, as the source texts do. Drivers may take out of the loop what they prove to be
 // the same.
-uniform P_POSITION vec3 u_camera_position; // world space; a slip reads it
+GIVEN_UNIFORM P_POSITION vec3 u_camera_position; // world space; a slip reads it
 uniform highp mat4 u_view_inverse;
 
 P_POSITION vec3 eye()

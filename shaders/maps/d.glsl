@@ -1,5 +1,5 @@
 // maps=diffuse.
-uniform SAMPLER2D u_diffuse_map;
+GIVEN_MAP(u_diffuse_map)
 
 P_SAMPLER vec3 diffuse_map(P_VARYING vec2 uv)
 {

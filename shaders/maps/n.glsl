@@ -1,5 +1,5 @@
 // maps=normal: normals of the surface's own frame, [-1, 1] stored in [0, 1].
-uniform SAMPLER2D u_normal_map;
+GIVEN_MAP(u_normal_map)
 
 P_SAMPLER vec3 normal_map(P_VARYING vec2 uv)
 {

@@ -1,5 +1,5 @@
 // maps=specular.
-uniform SAMPLER2D u_specular_map;
+GIVEN_MAP(u_specular_map)
 
 P_SAMPLER vec3 specular_map(P_VARYING vec2 uv)
 {

@@ -1,8 +1,8 @@
 // stage=fragment: lit here.
-VARYING_IN P_VARYING vec3 v_position;
-VARYING_IN P_VARYING vec3 v_normal;
-IF_NORMAL_MAP(VARYING_IN P_VARYING vec3 v_tangent;)
-IF_NORMAL_MAP(VARYING_IN P_VARYING vec3 v_bitangent;)
+GIVEN_INPUT P_VARYING vec3 v_position;
+GIVEN_INPUT P_VARYING vec3 v_normal;
+IF_NORMAL_MAP(GIVEN_INPUT P_VARYING vec3 v_tangent;)
+IF_NORMAL_MAP(GIVEN_INPUT P_VARYING vec3 v_bitangent;)
 
 #include "unit.glsl"
 #include "normalise/$(NORMALISE).glsl"

@@ -9,6 +9,7 @@
 #include "assemble/fixed_lights.h"
 #include "assemble/light_structs.h"
 #include "assemble/platform.h"
+#include "assemble/rows.h"
 #include "base/file.h"
 #include "base/hash.h"
 
@@ -26,13 +27,16 @@ static bool check_api(const struct sb_variant *variant, const struct sb_caps *ca
 // --- programs --------------------------------------------------------------------------
 
 static const struct {
-    const char *name, *stem, *probe; // what its files begin with; the value of PROBE
+    const char *name;
+    const char *stem[3]; // what the files of its stages begin with
+    const char *probe;   // the value of PROBE
 } roles[SB_ROLE_COUNT] = {
-    [SB_ROLE_SHADE] = {"shade", "shade", "off"},
-    [SB_ROLE_SHADOW] = {"shadow", "shadow", "off"},
-    [SB_ROLE_LAMP] = {"lamp", "lamp", "off"},
-    [SB_ROLE_PROBE] = {"probe", "shade", "on"},
-    [SB_ROLE_INPUTS] = {"inputs", "shade", "inputs"},
+    [SB_ROLE_SHADE] = {"shade", {"shade", "shade", "shade"}, "off"},
+    [SB_ROLE_SHADOW] = {"shadow", {"shadow", "shadow", "shadow"}, "off"},
+    [SB_ROLE_LAMP] = {"lamp", {"lamp", "lamp", "lamp"}, "off"},
+    [SB_ROLE_PROBE] = {"probe", {"shade", "shade", "shade"}, "on"},
+    [SB_ROLE_INPUTS] = {"inputs", {"shade", "shade", "shade"}, "inputs"},
+    [SB_ROLE_ROWS] = {"rows", {"rows", "rows", "shade"}, "on"},
 };
 
 static bool is_timed(int role)
@@ -90,8 +94,12 @@ static bool build_program(struct building *building, enum sb_role role,
     for (int stage = 0; stage < STAGES; stage++) {
         if (!is_asked(variant, role, stage))
             continue;
-        building->glsl.file = sb_arena_printf(&assembly->arena, "%s.%s", roles[role].stem,
-                                              stage_names[stage]);
+        building->glsl.file = sb_arena_printf(
+            &assembly->arena, "%s.%s", roles[role].stem[stage], stage_names[stage]);
+        // Lit per vertex, the fragments take what vertices hand on.
+        if (role == SB_ROLE_ROWS)
+            sb_defines_rows(&building->defines,
+                            stage == VERTEX || !assembly->lit_per_vertex);
         if (!sb_glsl_build(&building->glsl, &source[stage], err))
             return false;
     }
@@ -99,13 +107,21 @@ static bool build_program(struct building *building, enum sb_role role,
                                            &source[FRAGMENT], err);
 }
 
-static bool build_all(struct building *building, bool probe, struct sb_error *err)
+static bool is_wanted(const struct sb_assemble_params *params, bool es100, int role)
+{
+    if (params->rows || role == SB_ROLE_ROWS)
+        return params->rows && role == SB_ROLE_ROWS;
+    return is_timed(role) || (params->probe && !es100);
+}
+
+static bool build_all(struct building *building, const struct sb_assemble_params *params,
+                      struct sb_error *err)
 {
     struct sb_assembly *assembly = building->assembly;
     const bool es100 = assembly->job.variant.value[SB_AXIS_GLSL] == SB_GLSL_100;
     assembly->source_hash = SB_HASH_START;
     for (int role = 0; role < SB_ROLE_COUNT; role++) {
-        if (!is_timed(role) && (!probe || es100))
+        if (!is_wanted(params, es100, role))
             continue;
         if (!build_program(building, (enum sb_role)role, err))
             return false;
@@ -143,18 +159,23 @@ static bool build(const struct sb_assemble_params *params,
     struct sb_arena *arena = &assembly->arena;
     struct building building = {
         .defines = {.arena = arena}, .version = version, .assembly = assembly};
-    struct sb_text structs = {0}, arrays = {0}, lights = {0};
+    struct sb_text structs = {0}, arrays = {0}, lights = {0}, row = {0}, row_lights = {0};
     bool good = false;
     if (!sb_defines_make(&building.defines, params->axes, variant, version->family, err))
         goto done;
-    if (assembly->lights_fixed && !sb_fixed_lights(params->scene, variant, &lights, err))
+    if (assembly->lights_fixed && !params->rows &&
+        !sb_fixed_lights(params->scene, variant, &lights, err))
         goto done;
     sb_light_structs_text(variant, &structs);
     sb_light_arrays_text(variant, &arrays);
+    sb_row_text(variant, &row);
+    sb_row_lights_text(variant, &row_lights);
     const struct sb_glsl_text given[] = {
         {SB_LIGHT_STRUCTS_FILE, sb_text_get(&structs)},
         {SB_LIGHT_ARRAYS_FILE, sb_text_get(&arrays)},
         {SB_FIXED_LIGHTS_FILE, sb_text_get(&lights)},
+        {SB_ROW_FILE, sb_text_get(&row)},
+        {SB_ROW_LIGHTS_FILE, sb_text_get(&row_lights)},
     };
     building.glsl = (struct sb_glsl_params){
         .root = params->shaders ? params->shaders
@@ -164,9 +185,11 @@ static bool build(const struct sb_assemble_params *params,
         .given = given,
         .given_count = sizeof given / sizeof *given,
     };
-    good = build_all(&building, params->probe, err);
+    good = build_all(&building, params, err);
 
 done:
+    sb_text_free(&row_lights);
+    sb_text_free(&row);
     sb_text_free(&lights);
     sb_text_free(&arrays);
     sb_text_free(&structs);
@@ -186,6 +209,8 @@ static const struct sb_glsl_version *decide(const struct sb_assemble_params *par
         sb_decide_version(params->axes, params->caps, variant, err);
     if (version && !sb_decide_emulation(version, variant, err))
         return NULL;
+    if (params->rows)
+        return version && sb_decide_rows(params->axes, variant, err) ? version : NULL;
     return version && sb_decide_slips(params->axes, variant, err) &&
                    sb_decide_loop(variant, err) &&
                    sb_decide_shadows(params->axes, params->caps, variant, err) &&
@@ -207,7 +232,8 @@ bool sb_assemble(const struct sb_assemble_params *params, struct sb_assembly *as
         return false;
     list_programs(assembly);
     assembly->job.id = params->id;
-    assembly->job.scene = sb_arena_strdup(&assembly->arena, params->scene);
+    if (!params->rows)
+        assembly->job.scene = sb_arena_strdup(&assembly->arena, params->scene);
     return true;
 }
 

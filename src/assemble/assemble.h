@@ -19,6 +19,9 @@ struct sb_assemble_params {
     bool movable_lights;
     // The programs "probe" and "inputs" too. GLSL ES 1.00 has neither: it has one output.
     bool probe;
+    // Only the program "rows", which lights points of a table (scene/point.h): `scene` and the axes
+    // of targets and storage do not matter.
+    bool rows;
 };
 
 enum sb_role {
@@ -27,6 +30,7 @@ enum sb_role {
     SB_ROLE_LAMP,
     SB_ROLE_PROBE, // those from here are drawn, but never timed
     SB_ROLE_INPUTS,
+    SB_ROLE_ROWS,
     SB_ROLE_COUNT
 };
 

@@ -3,6 +3,8 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "job/job.h"
+
 static bool same_name(const char *a, const char *b)
 {
     const size_t length = strcspn(a, "("); // of a macro with a parameter, the name
@@ -171,6 +173,8 @@ bool sb_defines_make(struct sb_defines *defines, const struct sb_axes *axes,
     // Those of the axes last: it is the name of a suite's own axis that has to give way.
     return add(defines, "GLSL_FAMILY", family, err) &&
            add(defines, "PROBE", "off", err) &&
+           add(defines, "GIVEN", "interpolated", err) &&
+           add_number(defines, "ROW_POINTS_ACROSS", SB_ROW_POINTS_ACROSS, err) &&
            add(defines, "SLIPS", slips_of(axes, variant), err) &&
            add_effects(defines, axes, variant, err) &&
            add_lights(defines, variant, err) && add_axes(defines, axes, variant, err);
@@ -187,6 +191,13 @@ static void set(struct sb_defines *defines, const char *name, const char *value)
 void sb_defines_probe(struct sb_defines *defines, const char *value)
 {
     set(defines, "PROBE", value);
+}
+
+void sb_defines_rows(struct sb_defines *defines, bool rows)
+{
+    set(defines, "GIVEN", rows ? "rows" : "interpolated");
+    if (rows)
+        set(defines, "STORAGE", "rows");
 }
 
 void sb_defines_family(struct sb_defines *defines, const char *family)

@@ -7,7 +7,7 @@
 #include "scene/lights.h"
 
 // Of the light structs two macros each, and some of which there is one.
-enum { SB_DEFINE_MAX = SB_AXIS_MAX + SB_EFFECT_COUNT + 2 * SB_LIGHT_STRUCT_COUNT + 8 };
+enum { SB_DEFINE_MAX = SB_AXIS_MAX + SB_EFFECT_COUNT + 2 * SB_LIGHT_STRUCT_COUNT + 10 };
 
 struct sb_defines {
     struct sb_glsl_define row[SB_DEFINE_MAX];
@@ -24,6 +24,9 @@ bool sb_defines_make(struct sb_defines *defines, const struct sb_axes *axes,
 
 // PROBE is `off` after sb_defines_make; `on` and `inputs`: in the programs "probe" and "inputs".
 void sb_defines_probe(struct sb_defines *defines, const char *value);
+
+// GIVEN is `interpolated` after sb_defines_make; `rows`, with STORAGE `rows`: in the program "rows".
+void sb_defines_rows(struct sb_defines *defines, bool rows);
 
 // Another GLSL_FAMILY than that of sb_defines_make.
 void sb_defines_family(struct sb_defines *defines, const char *family);

@@ -35,14 +35,16 @@ struct sb_program { // final GLSL, by role
         *role; // "shade": the lit draws; "shadow": the shadow maps; "lamp": unlit draws;
     // "probe": as shade, and it tells what it computed on the way; "inputs": as
     // shade, and it tells what it was given. Both are compiled when a picture of
-    // them is first asked for, and never timed
+    // them is first asked for, and never timed; "rows": lights points of a table
+    // (SB_IMAGE_ROWS), alone in its job
     const char *vertex, *geometry, *fragment; // geometry NULL: none
 };
 
 struct sb_job {  // one variant ready to draw
     uint32_t id; // chosen by the caller, unique until released
     struct sb_variant variant;
-    const char *scene; // generated again by the runner; hashes are compared
+    const char
+        *scene; // generated again by the runner; hashes are compared. NULL with "rows"
     // The runner keeps the texts of the programs "probe" and "inputs", which it compiles later:
     // they must outlive the job. All others it has done with when prepare returns.
     const struct sb_program *program;
@@ -112,6 +114,10 @@ struct sb_image_request {
         // in the order of draws and of their meshes' vertices: the diffuse light that the vertex
         // hands on (3), 0, then the page.
         SB_IMAGE_PROBE,
+        // 16 channels, of a job of a program "rows": for each row of `rows` what SB_IMAGE_PROBE has
+        // of a pixel or vertex. `adding` > 1: 4 channels, for each so many rows the colour that
+        // their drawing one after another, added by blending, leaves in the variant's target.
+        SB_IMAGE_ROWS,
     } kind; // of the last two SB_BAD_INPUT where the job has no such program; they have one
             // sample a pixel, whatever the job has
     enum sb_probe_page {
@@ -133,6 +139,10 @@ struct sb_image_request {
         SB_PROBE_MAPS,
     } page;
     int light; // SB_PROBE_LIGHT
+    const struct sb_image
+        *rows;  // SB_IMAGE_ROWS: 4 channels; width: texels of a row (scene/
+                // point.h), height: points, up to caps.texture_size each
+    int adding; // SB_IMAGE_ROWS: 0, or a divisor of the points
     // The last two kinds by the program "inputs", which disturbs a compiler less: it tells what
     // the lighting is given, and 0 from place 8 of SB_PROBE_INPUTS and from place 6 of
     // SB_PROBE_FRAME. SB_PROBE_LIGHT is SB_BAD_INPUT.
@@ -148,6 +158,9 @@ struct sb_image_request {
     // then point, then spot, are uploaded black. off_count 0: all shine.
     int off_first, off_count;
 };
+
+// Points side by side in what a program "rows" draws, pixel after pixel, line after line.
+enum { SB_ROW_POINTS_ACROSS = 256 };
 
 struct sb_probe { // what a driver makes of shaders
     struct sb_precision_reading reading[SB_PRECISION_MAX]; // in the order of

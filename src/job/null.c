@@ -138,7 +138,8 @@ static bool null_prepare(void *self, const struct sb_job *job,
         .fragments = 40000,
         .gl_calls = 25,
     };
-    prepared->input_hash = sb_hash(SB_HASH_START, job->scene, strlen(job->scene));
+    if (job->scene)
+        prepared->input_hash = sb_hash(SB_HASH_START, job->scene, strlen(job->scene));
     if (null->script.prepare)
         null->script.prepare(null->script.user, job, prepared);
     if (prepared->error.status != SB_OK)
@@ -257,6 +258,12 @@ static bool null_image(void *self, const struct sb_image_request *request,
     const int side = request->width ? request->width : 64;
     if (request->kind == SB_IMAGE_SHADOW) {
         draw_cross(image, 0.25f + 0.125f * (float)request->caster);
+        return true;
+    }
+    if (request->kind == SB_IMAGE_ROWS) { // black, and nothing to tell
+        const int points =
+            request->rows->height / (request->adding > 1 ? request->adding : 1);
+        sb_image_init(image, points, 1, request->adding > 1 ? 4 : 16);
         return true;
     }
     const bool one = request->kind == SB_IMAGE_PROBE && request->one_pixel;

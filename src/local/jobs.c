@@ -3,6 +3,7 @@
 
 #include <inttypes.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/mem.h"
 
@@ -121,6 +122,29 @@ static bool count_work(struct sb_local *local, const struct sb_local_job *job,
     return true;
 }
 
+static bool is_rows(const struct sb_job *request)
+{
+    return request->program_count == 1 && strcmp(request->program->role, "rows") == 0;
+}
+
+// Points of a table have no scene, no frame and no time.
+static bool prepare_rows(struct sb_local *local, const struct sb_job *request,
+                         struct sb_prepared *result)
+{
+    struct sb_local_job *job = sb_alloc(sizeof *job);
+    job->id = request->id;
+    job->variant = request->variant;
+    job->shape = sb_shape_of(&request->variant);
+    if (!sb_local_compile_rows(job, request, result) ||
+        !sb_local_gl_ok("preparing", job->id, &result->error)) {
+        job_free(local, job);
+        return false;
+    }
+    job->next = local->jobs;
+    local->jobs = job;
+    return true;
+}
+
 bool sb_local_prepare(void *self, const struct sb_job *request,
                       struct sb_prepared *result)
 {
@@ -130,6 +154,8 @@ bool sb_local_prepare(void *self, const struct sb_job *request,
     if (sb_local_job_find(local, request->id, NULL))
         return sb_fail(err, SB_INTERNAL, "job %" PRIu32 " is prepared already",
                        request->id);
+    if (is_rows(request))
+        return prepare_rows(local, request, result);
 
     struct sb_local_job *job = sb_alloc(sizeof *job);
     job->id = request->id;

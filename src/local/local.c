@@ -18,6 +18,8 @@ static void close_runner(void *self)
     sb_gl_program_free(&local->geometry_program);
     sb_gl_program_free(&local->blank_program);
     sb_target_free(&local->probe_target);
+    sb_target_free(&local->rows_target);
+    glDeleteVertexArrays(1, &local->no_vertices);
     local->context->close(local->window);
     free(local);
 }

@@ -144,7 +144,15 @@ bool sb_local_image(void *self, const struct sb_image_request *request,
     struct sb_local_job *job = sb_local_job_find(local, request->job, err);
     if (!job)
         return false;
+    if ((request->kind == SB_IMAGE_ROWS) != (job->scene == NULL))
+        return sb_fail(
+            err, SB_BAD_INPUT,
+            "job %u: points of a table are told by jobs of a program \"rows\", "
+            "and pictures by all others",
+            (unsigned)request->job);
     switch (request->kind) {
+    case SB_IMAGE_ROWS:
+        return sb_local_rows_image(local, job, request, image, err);
     case SB_IMAGE_SHADOW:
         return shadow_map(local, job, request->caster, image, err);
     case SB_IMAGE_PROBE_COLOUR:

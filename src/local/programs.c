@@ -8,7 +8,8 @@
 #include "local/state.h"
 
 static const char *const roles[SB_LOCAL_ROLE_COUNT] = {
-    [SB_LOCAL_SHADE] = "shade", [SB_LOCAL_SHADOW] = "shadow", [SB_LOCAL_LAMP] = "lamp",
+    [SB_LOCAL_SHADE] = "shade", [SB_LOCAL_SHADOW] = "shadow",
+    [SB_LOCAL_LAMP] = "lamp",   [SB_LOCAL_ROWS] = "rows",
     [SB_LOCAL_PROBE] = "probe", [SB_LOCAL_INPUTS] = "inputs",
 };
 
@@ -84,17 +85,31 @@ bool sb_local_compile(struct sb_local_job *job, const struct sb_job *request,
     return true;
 }
 
+// Lit per vertex: what the vertex shader hands on, in the order of probe.c.
+static const char *const captured[] = {"v_diffuse", "v_specular", "v_probe0", "v_probe1",
+                                       "v_probe2"};
+enum { CAPTURED_COUNT = sizeof captured / sizeof *captured };
+
+bool sb_local_compile_rows(struct sb_local_job *job, const struct sb_job *request,
+                           struct sb_prepared *result)
+{
+    struct sb_gl_program *program = &job->program[SB_LOCAL_ROWS];
+    const bool vertex = sb_lit_per_vertex(&job->variant);
+    const bool ok = sb_gl_program_make_captured(request->program, captured,
+                                                vertex ? CAPTURED_COUNT : 0, program);
+    result->compile_ms = program->compile_ms;
+    result->link_ms = program->link_ms;
+    return ok || refused(program, 0, request->program->role, result);
+}
+
 bool sb_local_compile_probe(struct sb_local_job *job, enum sb_local_role role,
                             struct sb_error *err)
 {
-    // Lit per vertex: what the vertex shader hands on, in the order of probe.c.
-    static const char *const varying[] = {"v_diffuse", "v_specular", "v_probe0",
-                                          "v_probe1", "v_probe2"};
     const bool vertex = sb_lit_per_vertex(&job->variant);
     const struct sb_program *source = &job->probe[role - SB_LOCAL_PROBE].source;
     struct sb_gl_program *program = &job->program[role];
-    if (sb_gl_program_make_captured(
-            source, varying, vertex ? sizeof varying / sizeof *varying : 0, program))
+    if (sb_gl_program_make_captured(source, captured, vertex ? CAPTURED_COUNT : 0,
+                                    program))
         return true;
     struct sb_prepared result = {0};
     refused(program, 0, source->role, &result);

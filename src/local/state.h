@@ -45,6 +45,7 @@ enum sb_local_role {
     SB_LOCAL_SHADE,
     SB_LOCAL_SHADOW,
     SB_LOCAL_LAMP,
+    SB_LOCAL_ROWS,  // alone in its job
     SB_LOCAL_PROBE, // those from here are compiled when a picture of them is asked for
     SB_LOCAL_INPUTS,
     SB_LOCAL_ROLE_COUNT
@@ -62,7 +63,7 @@ struct sb_local_job {
     uint32_t id;
     struct sb_variant variant;
     struct sb_shape shape;
-    struct sb_shared_scene *scene;
+    struct sb_shared_scene *scene;                     // NULL with a program "rows"
     struct sb_gl_program program[SB_LOCAL_ROLE_COUNT]; // name 0: the job has none
     struct sb_binding binding, lamp;                   // of the lit draws, and of lamps
     struct sb_local_probe probe[SB_LOCAL_PROBES];      // "probe" and "inputs"
@@ -78,7 +79,8 @@ struct sb_local {
     struct sb_gl_program id_program;
     // Made when first asked for; name 0, or no framebuffer: not yet.
     struct sb_gl_program geometry_program, blank_program;
-    struct sb_target probe_target;
+    struct sb_target probe_target, rows_target;
+    GLuint no_vertices;               // a vertex array without attributes; 0: not yet
     const struct sb_timer_fns *timer; // NULL: none chosen yet, samples carry no GPU time
     struct sb_query query;
     struct sb_pool pool;
@@ -92,6 +94,9 @@ bool sb_local_compile(struct sb_local_job *job, const struct sb_job *request,
 // and message.
 bool sb_local_compile_probe(struct sb_local_job *job, enum sb_local_role role,
                             struct sb_error *err);
+// Compiles the program "rows", the only one of its job.
+bool sb_local_compile_rows(struct sb_local_job *job, const struct sb_job *request,
+                           struct sb_prepared *result);
 // SB_BAD_INPUT where the job has no such program.
 bool sb_local_has_role(const struct sb_local_job *job, enum sb_local_role role,
                        struct sb_error *err);
@@ -106,6 +111,10 @@ bool sb_local_image(void *self, const struct sb_image_request *request,
 bool sb_local_probe_image(struct sb_local *local, struct sb_local_job *job,
                           const struct sb_image_request *request, struct sb_image *image,
                           struct sb_error *err);
+// SB_IMAGE_ROWS (rows.c).
+bool sb_local_rows_image(struct sb_local *local, struct sb_local_job *job,
+                         const struct sb_image_request *request, struct sb_image *image,
+                         struct sb_error *err);
 void sb_local_release(void *self, uint32_t id);
 
 // SB_INTERNAL where no such job is prepared.

@@ -1,0 +1,2 @@
+// GIVEN=interpolated: all inputs stand ready.
+#define TAKE_INPUTS

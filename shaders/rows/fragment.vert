@@ -1,0 +1,5 @@
+// stage=fragment: one triangle over the whole target; each pixel of it is a point.
+void main()
+{
+    gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
+}
