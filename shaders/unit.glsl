@@ -1,6 +1,6 @@
 // Unit vectors. Of a difference of positions: its square leaves the range of half floats at a
 // distance of 256, so it is squared in the precision of positions.
-#include "form/$(FORM).glsl"
+#include "form.glsl"
 
 // A zero vector stays zero, and so lights nothing: normalize(0) is 0 * infinity, a NaN. A
 // select, not max(length, tiny): it is exact at every scale of the scene and needs no constant

@@ -78,7 +78,7 @@ static void every_word_that_a_shorthand_sets_exists(void **state)
             }
         }
     }
-    assert_int_equal(shorthands, SB_PRECISION_VALUE_COUNT);
+    assert_int_equal(shorthands, SB_PRECISION_VALUE_COUNT + SB_FORM_VALUE_COUNT);
 }
 
 static void an_unknown_axis_is_answered_with_the_nearest_and_all_names(void **state)

@@ -178,6 +178,31 @@ static void an_include_that_is_none_is_left_alone(void **state)
     folder_free(&folder);
 }
 
+static void values_stand_in_directives_and_nowhere_else(void **state)
+{
+    (void)state;
+    struct shader_folder folder;
+    folder_make(&folder);
+    folder_write(&folder, "main.vert",
+                 "#define law law_$(LAW)\n"
+                 "  # define $(LAW)_$(COUNT) $(COUNT)$(COUNT) // $(UP)\n"
+                 "#define plain (1.0)\n"
+                 "law(); // $(LAW) $(\n");
+    struct sb_glsl_source source = {0};
+    assert_true(build(&folder, &source, NULL));
+    assert_string_equal(source.text + strlen(head), "#define law law_linear\n"
+                                                    "  # define linear_4 44 // ..\n"
+                                                    "#define plain (1.0)\n"
+                                                    "law(); // $(LAW) $(\n");
+    static const struct from expected[] = {
+        {"main.vert", 1}, {"main.vert", 2}, {"main.vert", 3}, {"main.vert", 4}};
+    check_lines(&source, expected, 4);
+    sb_glsl_free(&source);
+    folder_free(&folder);
+    check_error("\n#define law law_$(LAV)\n", "main.vert:2: no define \"LAV\"");
+    check_error("#define law law_$(LAW\n", "\"$(\" without \")\"");
+}
+
 static void a_wrong_include_is_refused_where_it_stands(void **state)
 {
     (void)state;
@@ -271,6 +296,7 @@ int main(void)
         cmocka_unit_test(an_error_in_a_given_text_names_it),
         cmocka_unit_test(equal_texts_have_equal_hashes_and_others_not),
         cmocka_unit_test(an_include_that_is_none_is_left_alone),
+        cmocka_unit_test(values_stand_in_directives_and_nowhere_else),
         cmocka_unit_test(a_wrong_include_is_refused_where_it_stands),
         cmocka_unit_test(no_include_leads_out_of_the_folder),
         cmocka_unit_test(a_cycle_is_refused_with_its_files),

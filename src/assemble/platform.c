@@ -135,11 +135,22 @@ bool sb_platform_undefined(const struct sb_variant *variant)
            variant->value[SB_AXIS_SOURCE] == SB_SOURCE_UBO;
 }
 
+static bool is_robust(const struct sb_variant *variant)
+{
+    static const int forms[] = {
+        SB_AXIS_F_UNIT, SB_AXIS_F_ATTENUATION, SB_AXIS_F_CONE,   SB_AXIS_F_HIGHLIGHT,
+        SB_AXIS_F_AREA, SB_AXIS_F_FRAME,       SB_AXIS_F_OUTPUT, SB_AXIS_F_SHADOW};
+    for (size_t i = 0; i < sizeof forms / sizeof *forms; i++)
+        if (variant->value[forms[i]] !=
+            0) // each of these axes has robust, naive in this order
+            return false;
+    return true;
+}
+
 bool sb_platform_class_exact(const struct sb_variant *variant)
 {
     return !sb_platform_undefined(variant) &&
-           sb_platform_precision(variant).lowest == 0 &&
-           variant->value[SB_AXIS_FORM] == SB_FORM_ROBUST &&
+           sb_platform_precision(variant).lowest == 0 && is_robust(variant) &&
            variant->value[SB_AXIS_EMULATE] == SB_EMULATE_NONE &&
            variant->value[SB_AXIS_OFFSET] == 0;
 }

@@ -38,6 +38,6 @@ struct sb_asked_precision sb_platform_precision(const struct sb_variant *variant
 // Does the program start its sum from a variable that nothing has set? One of the texts does.
 bool sb_platform_undefined(const struct sb_variant *variant);
 
-// Must variants of one equivalence class draw the same picture? At highp, form=robust and
-// offset=0 they must; elsewhere rounding may take them apart.
+// Must variants of one equivalence class draw the same picture? At highp, with every
+// f_… robust and offset=0 they must; elsewhere rounding may take them apart.
 bool sb_platform_class_exact(const struct sb_variant *variant);

@@ -95,15 +95,15 @@ static bool fail_no_define(struct builder *b, struct place at, const char *name)
     return false;
 }
 
-// Puts the value of each $(NAME) in its place.
-static char *expand_name(struct builder *b, struct place at, const char *name)
+// Puts the value of each $(NAME) of a directive in its place.
+static char *expand(struct builder *b, struct place at, const char *line)
 {
     struct sb_text text = {0};
-    const char *rest = name;
+    const char *rest = line;
     for (const char *mark; (mark = strstr(rest, "$(")) != NULL;) {
         const char *end = strchr(mark, ')');
         if (!end) {
-            fail_at(b, at, "\"%s\": \"$(\" without \")\"", name);
+            fail_at(b, at, "%s: \"$(\" without \")\"", line);
             goto error;
         }
         char *word = sb_arena_printf(b->arena, "%.*s", (int)(end - mark - 2), mark + 2);
@@ -141,14 +141,16 @@ static bool stays_inside(const char *name)
     return true;
 }
 
-// Whether the line is an #include, and what follows the word. Blanks may stand where the
+static bool is_directive(const char *line)
+{
+    return line[strspn(line, " \t")] == '#';
+}
+
+// Whether a directive is an #include, and what follows the word. Blanks may stand where the
 // preprocessor allows them.
 static bool is_include(const char *line, const char **rest)
 {
-    line += strspn(line, " \t");
-    if (*line != '#')
-        return false;
-    line++;
+    line = strchr(line, '#') + 1;
     line += strspn(line, " \t");
     if (strncmp(line, "include", 7) != 0)
         return false;
@@ -165,15 +167,25 @@ static bool add_include(struct builder *b, struct place at, const char *rest)
                        "#include wants a name in quotes, alone on its line: "
                        "#include \"lights/point.glsl\"");
     char *name = sb_arena_printf(b->arena, "%.*s", (int)(end - rest - 1), rest + 1);
-    name = expand_name(b, at, name);
-    if (!name)
-        return false;
     if (!stays_inside(name))
         return fail_at(b, at,
                        "#include \"%s\": names are relative to the shader folder, "
                        "without \".\" and \"..\"",
                        name);
     return add_file(b, at, name);
+}
+
+static bool add_directive(struct builder *b, const char *line, struct sb_glsl_line from)
+{
+    const struct place at = {b->file_name[from.file], from.line};
+    const char *rest;
+    line = expand(b, at, line);
+    if (!line)
+        return false;
+    if (is_include(line, &rest))
+        return add_include(b, at, rest);
+    add_line(b, line, strlen(line), from);
+    return true;
 }
 
 static bool add_lines(struct builder *b, char *data, int file)
@@ -185,10 +197,10 @@ static bool add_lines(struct builder *b, char *data, int file)
         if (end > line && end[-1] == '\r')
             end--;
         *end = '\0';
-        const char *rest;
-        if (!is_include(line, &rest))
-            add_line(b, line, (size_t)(end - line), (struct sb_glsl_line){file, number});
-        else if (!add_include(b, (struct place){b->file_name[file], number}, rest))
+        const struct sb_glsl_line from = {file, number};
+        if (!is_directive(line))
+            add_line(b, line, (size_t)(end - line), from);
+        else if (!add_directive(b, line, from))
             return false;
         line = next;
     }

@@ -4,6 +4,7 @@
 // A file may say
 //     #include "lights/point.glsl"                    relative to the shader folder
 //     #include "attenuation/$(ATTENUATION).glsl"      $(NAME): value of a define below
+//     #define unit unit_$(F_UNIT)                     in every line that begins with #
 // A text that the caller gives under a name stands in for a file of that name. Each file is
 // included once, whatever #if it stands under; files that include each other
 // are an error. Nothing else is preprocessed: the driver does the rest.

@@ -32,7 +32,7 @@ bool sb_check_pair(const struct sb_class_pair *pair, double *spread,
                    struct sb_error *err);
 
 // The small picture against that of a task of the same equivalence class: within the bound at
-// highp, form=robust and offset=0; elsewhere the difference is only kept, in class_spread.
+// highp, with every f_… robust and offset=0; elsewhere the difference is only kept, in class_spread.
 void sb_check_class(struct sb_task *task, struct sb_task *other,
                     const struct sb_driver *driver);
 
