@@ -8,3 +8,4 @@
 #define cone            cone_$(F_CONE)
 #define specular_factor specular_factor_$(F_HIGHLIGHT)
 #define along_segment   along_segment_$(F_AREA)
+#define schlick         schlick_$(F_HIGHLIGHT)

@@ -16,7 +16,9 @@
 
 // The formulas.
 #include "guard/$(GUARD).glsl"
+#include "specular_norm/$(SPECULAR_NORM).glsl"
 #include "model/$(MODEL).glsl"
+#include "fresnel/$(FRESNEL).glsl"
 #include "ambient/$(AMBIENT).glsl"
 #include "attenuation/$(ATTENUATION).glsl"
 #include "cone/$(CONE).glsl"
@@ -37,6 +39,7 @@ Shade shade_surface(P_POSITION vec3 position, P_VECTOR vec3 normal)
     PROBE_NORMAL(surface.normal)
     IF_VIEW(surface.view = unit_difference(to_eye(position));)
     IF_VIEW(PROBE_VIEW(surface.view))
+    IF_SPECULAR_NORM(log2_norm = log2(HIGHLIGHT_NORM(surface.shininess));)
 
     Lit lit = no_light();
     IF_AMBIENT(lit.ambient += scene_ambient();)
@@ -45,7 +48,7 @@ Shade shade_surface(P_POSITION vec3 position, P_VECTOR vec3 normal)
     // Copies, so that the precision of the uniforms does not raise that of the products.
     P_COLOR vec3 ambient = u_material.ambient;
     P_COLOR vec3 diffuse = u_material.diffuse;
-    P_COLOR vec3 specular = u_material.specular;
+    P_COLOR vec3 specular = REFLECTED;
     Shade shade = Shade(vec3(0.0), vec3(0.0));
     IF_AMBIENT(shade.diffuse = ambient * lit.ambient;)
     IF_DIFFUSE(shade.diffuse += diffuse * lit.diffuse;)

@@ -217,7 +217,8 @@ static void check_value(int axis, const char *word)
     static const char *const bases[] = {
         "dir=1 point=2 spot=1 area=1 normalise=off loop=dynamic capacity=7",
         "dir=1 point=2 spot=1 area=1 model=phong ambient=none attenuation=none cone=hard "
-        "area_shape=box specular_side=both maps=diffuse form=naive storage=global "
+        "area_shape=box specular_side=both fresnel=schlick specular_norm=energy "
+        "maps=diffuse form=naive storage=global "
         "loop=padded hoist=per_light space=view guard=mask",
         "dir=1 point=2 layout=unified",
         "dir=1 point=2 stage=vertex",
@@ -352,6 +353,8 @@ enum {
     DIFFUSE = 1 << SB_EFFECT_DIFFUSE,
     SPECULAR = 1 << SB_EFFECT_SPECULAR | 1 << SB_EFFECT_VIEW,
     SPECULAR_EACH = 1 << SB_EFFECT_SPECULAR | 1 << SB_EFFECT_VIEW_EACH,
+    FRESNEL = 1 << SB_EFFECT_FRESNEL,
+    SPECULAR_NORM = 1 << SB_EFFECT_SPECULAR_NORM,
     ATTENUATION = 1 << SB_EFFECT_ATTENUATION,
     CONE = 1 << SB_EFFECT_CONE,
     DIFFUSE_MAP = 1 << SB_EFFECT_DIFFUSE_MAP,
@@ -385,6 +388,11 @@ static const struct {
      DIFFUSE | SPECULAR_EACH | DIFFUSE_MAP_EACH | SPECULAR_MAP_EACH | NORMAL_MAP},
     {"ambient=none dir=1 maps=diffuse+specular hoist=per_light stage=vertex",
      DIFFUSE | SPECULAR_EACH | DIFFUSE_MAP | SPECULAR_MAP},
+    {"ambient=none dir=1 fresnel=schlick", DIFFUSE | SPECULAR | FRESNEL},
+    {"ambient=none dir=1 model=phong specular_norm=energy",
+     DIFFUSE | SPECULAR | SPECULAR_NORM},
+    {"ambient=none dir=1 model=lambert fresnel=schlick specular_norm=energy", DIFFUSE},
+    {"ambient=none fresnel=schlick specular_norm=energy", 0},
     {"ambient=none model=lambert dir=1 maps=normal", DIFFUSE | NORMAL_MAP},
 };
 

@@ -28,6 +28,8 @@ static const struct choice {
     {"shadows", {"0", "1", "2"}},
     {"source", {"none", "lwjgl", "ubo", "shadows", "delphi", "wikibooks"}},
     {"text", {"corrected", "as_written"}},
+    {"fresnel", {"none", "schlick"}},
+    {"specular_norm", {"none", "energy"}},
     {"sun", {"-91", "30", "100"}},
     {"lamps", {"off", "on"}},
     {"stage", {"fragment", "vertex"}},

@@ -9,7 +9,7 @@ static inline void variant_of_words(const struct sb_axes *axes, const char *word
                                     struct sb_variant *variant)
 {
     struct sb_error err = {0};
-    char text[512];
+    char text[1024];
     sb_variant_init(axes, variant);
     assert_true(strlen(words) < sizeof text);
     strcpy(text, words);

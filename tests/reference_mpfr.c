@@ -81,20 +81,22 @@ static void check_terms(const struct world *world, const struct sb_light *light,
           steep * bright);
 }
 
-struct sums {
+struct sums { // of `specular` with the material
     wide diffuse[3], specular[3];
     double scale;
 };
 
 static void add(struct sums *sums, const struct world *world,
-                const struct sb_light *light, enum sb_light_type type,
-                const struct textbook *it)
+                const struct textbook_surface *surface, const struct sb_light *light,
+                enum sb_light_type type, const struct textbook *it)
 {
     for (int c = 0; c < 3; c++) {
         sums->diffuse[c] =
             plus(sums->diffuse[c], times(of(light->diffuse[c]), it->diffuse_weight));
-        sums->specular[c] =
-            plus(sums->specular[c], times(of(light->specular[c]), it->specular_weight));
+        const wide arrives = times(of(light->specular[c]), it->specular_weight);
+        const wide leaves =
+            textbook_fresnel(world, surface, it->highlight, world->material.specular[c]);
+        sums->specular[c] = plus(sums->specular[c], times(arrives, leaves));
     }
     sums->scale =
         fmax(sums->scale, steepness(world) * narrowness(light, type) * brightness(it));
@@ -118,7 +120,7 @@ static bool compare(const struct world *world)
             all &= it.margin > 1e-13;
             if (it.margin > 1e-13)
                 check_terms(world, light, type, &terms[light - world->light], &it);
-            add(&sums, world, light, type, &it);
+            add(&sums, world, &surface, light, type, &it);
         }
     const double diffuse[3] = {made.diffuse.x, made.diffuse.y, made.diffuse.z};
     const double specular[3] = {made.specular.x, made.specular.y, made.specular.z};
@@ -127,8 +129,7 @@ static bool compare(const struct world *world)
         const wide scattered = times(of(world->material.diffuse[c]), sums.diffuse[c]);
         const wide around = times(of(ambient[c]), of(world->scene.ambient[c]));
         check("diffuse", diffuse[c], plus(around, scattered), sums.scale);
-        check("specular light", specular[c],
-              times(of(world->material.specular[c]), sums.specular[c]), sums.scale);
+        check("specular light", specular[c], sums.specular[c], sums.scale);
     }
     return all;
 }
@@ -183,6 +184,8 @@ static void make_any(struct world *world, struct sb_random *random)
         {SB_AXIS_CONE, SB_CONE_VALUE_COUNT},
         {SB_AXIS_AREA_SHAPE, SB_AREA_SHAPE_VALUE_COUNT},
         {SB_AXIS_SPECULAR_SIDE, SB_SPECULAR_SIDE_VALUE_COUNT},
+        {SB_AXIS_FRESNEL, SB_FRESNEL_VALUE_COUNT},
+        {SB_AXIS_SPECULAR_NORM, SB_SPECULAR_NORM_VALUE_COUNT},
         {SB_AXIS_HOIST, SB_HOIST_VALUE_COUNT},
         {SB_AXIS_NORMALISE, SB_NORMALISE_VALUE_COUNT},
     };
@@ -203,6 +206,7 @@ static void make_any(struct world *world, struct sb_random *random)
     put_vector(world->scene.camera.eye, sb_vec3_add(input->position, to_eye));
     put3(world->scene.ambient, 0.25, 0.5, 1);
     put3(world->material.ambient, 0.5, 0.25, 2);
+    put3(world->material.specular, 0.04, 0.5, 1);
     // A power below 1 is steeper than its base near 0, where 1e-17 is made 1e-9.
     world->material.shininess = (float)magnitude(random, 1, 256);
 }

@@ -6,5 +6,5 @@
 P_SPECULAR float cosine_power(P_VECTOR vec3 a, P_VECTOR vec3 b, P_SPECULAR float n)
 {
     P_SPECULAR float c = dot(a, b);
-    return pow(clamp(c, 0.0, 1.0), n);
+    return NORM_POW(clamp(c, 0.0, 1.0), n);
 }

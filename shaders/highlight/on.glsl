@@ -14,5 +14,5 @@ P_SPECULAR float cosine_power(P_VECTOR vec3 a, P_VECTOR vec3 b, P_SPECULAR float
     P_SPECULAR float near = -0.72134752 * s * // half of log2(e)
         (1.0 + s * (0.5 + s * (0.33333333 + s * (0.25 + s * 0.2))));
     P_SPECULAR float log2_c = s < 0.125 ? near : log2(min(c, 1.0));
-    return c > 0.0 ? exp2(n * log2_c) : 0.0;
+    return c > 0.0 ? NORM_EXP2(n * log2_c) : 0.0;
 }

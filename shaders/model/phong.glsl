@@ -4,6 +4,10 @@
 // What is read of a light.
 #define SPECULAR_OF(light) light.specular
 
+// Of fresnel=schlick and of specular_norm=energy.
+#define FRESNEL_COSINE(surface, to_light) dot(view_of(surface), surface.normal)
+#define HIGHLIGHT_NORM(n) ((n + 2.0) * 0.15915494) // (n + 2) / (2 pi)
+
 P_SPECULAR float specular_factor_robust(Surface surface, P_VECTOR vec3 to_light)
 {
     P_VECTOR vec3 reflected = reflect(-to_light, surface.normal);
@@ -13,5 +17,5 @@ P_SPECULAR float specular_factor_robust(Surface surface, P_VECTOR vec3 to_light)
 P_SPECULAR float specular_factor_naive(Surface surface, P_VECTOR vec3 to_light)
 {
     P_SPECULAR float c = dot(reflect(-to_light, surface.normal), view_of(surface));
-    return pow(max(c, 0.0), surface.shininess);
+    return NORM_TIMES(surface.shininess, pow(max(c, 0.0), surface.shininess));
 }

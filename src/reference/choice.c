@@ -50,6 +50,8 @@ struct sb_ref_choice sb_ref_choose(const struct sb_ref_shading *shading)
         .cone = (int)value[SB_AXIS_CONE],
         .area_shape = (int)value[SB_AXIS_AREA_SHAPE],
         .slips = slips,
+        .schlick = value[SB_AXIS_FRESNEL] == SB_FRESNEL_SCHLICK,
+        .energy = value[SB_AXIS_SPECULAR_NORM] == SB_SPECULAR_NORM_ENERGY,
         .cuts_back = value[SB_AXIS_SPECULAR_SIDE] == SB_SPECULAR_FRONT,
         .keeps_length = keeps_length(shading, slips),
         .makes_cone = value[SB_AXIS_HOIST] == SB_HOIST_PER_LIGHT,

@@ -11,6 +11,8 @@
 struct sb_ref_choice {
     int model, ambient, attenuation, cone, area_shape; // values of these axes
     int slips;         // the source text whose slips are kept; SB_SOURCE_NONE: no slip
+    bool schlick;      // highlights are whiter at grazing angles
+    bool energy;       // … and have the same energy, whatever their exponent
     bool cuts_back;    // no highlights where the surface faces away
     bool keeps_length; // interpolated normals stay as they are
     bool makes_cone;   // hoist=per_light: from the angles, with a unit axis
@@ -113,6 +115,12 @@ struct sb_vec3 sb_ref_area_nearest_ray(int shape, const struct sb_light *light,
 double sb_ref_specular(const struct sb_ref_choice *choice,
                        const struct sb_ref_surface *surface, struct sb_vec3 highlight,
                        double intensity);
+
+// What share of the way from its specular colour F0 to white the surface reflects of light from
+// `highlight` (Schlick 1994, equation 15): F = F0 + (1 - F0) (1 - |c|)^5. The cosine c is that of
+// the eye to the half vector (blinn) or to the normal (phong).
+double sb_ref_schlick(const struct sb_ref_choice *choice,
+                      const struct sb_ref_surface *surface, struct sb_vec3 highlight);
 
 // --- shadows --------------------------------------------------------------------------------
 

@@ -3,6 +3,8 @@
 
 struct sums { // without the material
     struct sb_vec3 ambient, diffuse, specular;
+    struct sb_vec3
+        grazing; // the part of `specular` that is reflected whatever the material
 };
 
 // What the loop over the lights passes around.
@@ -102,8 +104,22 @@ static void add_light(struct lighting *it, const struct sb_light *light,
         add(&it->sums.ambient, light->ambient, factor);
     add(&it->sums.diffuse, light->diffuse, factor * shown * fmax(n_dot_l, 0));
     add(&it->sums.specular, light->specular, factor * shown * specular);
+    if (choice->schlick && factor * shown * specular > 0)
+        add(&it->sums.grazing, light->specular,
+            factor * shown * specular *
+                sb_ref_schlick(choice, &it->surface, incident.highlight));
     if (terms)
         put_terms(terms, &incident, shown, n_dot_l, specular);
+}
+
+// F0 S + (1 - F0) G: of each light F0 + (1 - F0) (1 - c)^5.
+static struct sb_vec3 reflected(const struct lighting *it, const float f0[3])
+{
+    const struct sb_vec3 head_on = sb_ref_product(sb_ref_vec(f0), it->sums.specular);
+    if (!it->choice.schlick)
+        return head_on;
+    const struct sb_vec3 rest = {1.0 - f0[0], 1.0 - f0[1], 1.0 - f0[2]};
+    return sb_vec3_add(head_on, sb_ref_product(rest, it->sums.grazing));
 }
 
 void sb_ref_shade(const struct sb_ref_shading *shading, const struct sb_ref_input *input,
@@ -131,7 +147,7 @@ void sb_ref_shade(const struct sb_ref_shading *shading, const struct sb_ref_inpu
         sb_ref_product(sb_ref_vec(material->diffuse), it.sums.diffuse);
     *shade = (struct sb_ref_shade){
         .diffuse = sb_vec3_add(ambient, diffuse),
-        .specular = sb_ref_product(sb_ref_vec(material->specular), it.sums.specular),
+        .specular = reflected(&it, material->specular),
         .view = it.surface.view,
         .normal = it.surface.normal,
         .decisions = it.decisions,

@@ -50,6 +50,36 @@ static struct cosine phong(const struct sb_ref_surface *surface, struct sb_vec3 
     };
 }
 
+// What makes up for the width of a power of n: for Blinn Akenine-Moeller, Haines, Hoffman,
+// Real-Time Rendering, 3rd edition, 7.6; for Phong Lafortune and Willems 1994, where it is exact.
+static double norm(int model, double n)
+{
+    return model == SB_MODEL_PHONG ? (n + 2) / (2 * SB_PI) : (n + 8) / (8 * SB_PI);
+}
+
+// --- the angle of view ----------------------------------------------------------------------
+
+// 1 - |a . b|, where b has unit length and the square of a's is 1 - f. Where they are near each
+// other the difference tells it: |a - b|^2 = 2 - f - 2 a . b.
+static double off_one(struct sb_vec3 a, double f, struct sb_vec3 b)
+{
+    const double c = sb_vec3_dot(a, b);
+    if (fabs(c) < 0.75)
+        return 1 - fabs(c);
+    const struct sb_vec3 off = sb_vec3_sub(c > 0 ? a : sb_vec3_scale(a, -1), b);
+    return 0.5 * (sb_vec3_dot(off, off) + f);
+}
+
+double sb_ref_schlick(const struct sb_ref_choice *choice,
+                      const struct sb_ref_surface *surface, struct sb_vec3 highlight)
+{
+    const struct sb_vec3 v = surface->view;
+    const double x = choice->model == SB_MODEL_PHONG
+                         ? off_one(surface->normal, surface->shortfall, v)
+                         : off_one(sb_ref_unit(sb_vec3_add(highlight, v)), 0, v);
+    return x * x * x * x * x;
+}
+
 // --- slips (docs/sources.md) ----------------------------------------------------------------
 
 // `ubo` compares the reflected ray with the normal: their cosine is that of light and normal.
@@ -82,5 +112,6 @@ double sb_ref_specular(const struct sb_ref_choice *choice,
     const struct cosine cosine = choice->model == SB_MODEL_PHONG
                                      ? phong(surface, highlight)
                                      : blinn(surface, highlight);
-    return power(&cosine, surface->shininess);
+    const double n = surface->shininess;
+    return power(&cosine, n) * (choice->energy ? norm(choice->model, n) : 1);
 }

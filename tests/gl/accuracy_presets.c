@@ -88,6 +88,11 @@ static void every_law_model_cone_shape_and_map_is_right_to_2e_5(void **state)
         "dir=1,point=2,maps=diffuse+specular+normal,ambient=per_light",
         "dir=1,point=2,maps=normal,space=view,normalise=off",
         "dir=1,point=2,shininess=256",
+        "dir=1,point=2,model=phong,fresnel=schlick,hoist=per_light,space=view",
+        "area=2,fresnel=schlick,specular_norm=energy,guard=mask,normalise=off",
+        "dir=1,point=2,specular_norm=energy,model=phong,form=naive,fresnel=schlick",
+        "dir=1,point=2,specular_norm=energy,fresnel=schlick,stage=vertex,"
+        "maps=specular",
         "dir=1,point=2,samples=4",
         "point=2,shadows=2,shadow_filter=4",
         "dir=1,point=4,spot=1,model=phong,maps=diffuse+specular,hoist=per_light,"

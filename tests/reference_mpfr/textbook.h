@@ -204,7 +204,28 @@ static inline wide textbook_specular(const struct world *world,
         c = dot(reflect3(times3(from, of(-1)), surface->normal), surface->view);
     else
         c = dot(surface->normal, unit3(plus3(from, surface->view)));
-    return power(clamped(c, 0, 1), of(world->material.shininess));
+    const wide n = of(world->material.shininess);
+    wide norm = of(1);
+    if (chosen(world, SB_AXIS_SPECULAR_NORM, SB_SPECULAR_NORM_ENERGY))
+        norm = chosen(world, SB_AXIS_MODEL, SB_MODEL_PHONG)
+                   ? over(plus(n, of(2)), times(of(2), pi()))
+                   : over(plus(n, of(8)), times(of(8), pi()));
+    return times(norm, power(clamped(c, 0, 1), n));
+}
+
+// What the surface reflects of a channel of this light (Schlick 1994, equation 15).
+static inline wide textbook_fresnel(const struct world *world,
+                                    const struct textbook_surface *surface,
+                                    struct wide3 from, float f0)
+{
+    if (!chosen(world, SB_AXIS_FRESNEL, SB_FRESNEL_SCHLICK))
+        return of(f0);
+    const struct wide3 to = chosen(world, SB_AXIS_MODEL, SB_MODEL_PHONG)
+                                ? surface->normal
+                                : unit3(plus3(from, surface->view));
+    const wide c = dot(surface->view, to);
+    const wide x = minus(of(1), larger(c, negative(c)));
+    return plus(of(f0), times(minus(of(1), of(f0)), power(x, of(5))));
 }
 
 static inline struct textbook textbook_light(const struct world *world,

@@ -74,6 +74,13 @@ WIDE_UNARY(cosine, mpfr_cos)
 WIDE_UNARY(negative, mpfr_neg)
 #undef WIDE_UNARY
 
+static inline wide pi(void)
+{
+    const mpfr_ptr r = wide_new();
+    mpfr_const_pi(r, MPFR_RNDN);
+    return r;
+}
+
 static inline double narrow(wide a)
 {
     return mpfr_get_d(a, MPFR_RNDN);
