@@ -62,8 +62,7 @@ const char *sb_case_unavailable(const struct sb_case_env *env,
 
 // --- points -------------------------------------------------------------------------------
 
-// Of how many lights terms are asked: of none where no criterion is of a term.
-static int lights_asked(const struct sb_case *it, const struct sb_points *points)
+int sb_case_lights_asked(const struct sb_case *it, const struct sb_points *points)
 {
     enum { MOST = 8 };
     for (int i = 0; i < SB_CRITERION_MAX; i++)
@@ -72,26 +71,33 @@ static int lights_asked(const struct sb_case *it, const struct sb_points *points
     return 0;
 }
 
-bool sb_case_ask_points(const struct sb_case_env *env, const struct sb_case *it,
-                        const struct sb_case_setting *setting, struct sb_points *points,
-                        struct sb_outcome *outcome, struct sb_error *err)
+bool sb_case_unit_open(struct sb_unit *unit, const struct sb_case_env *env,
+                       const struct sb_variant *variant, struct sb_error *err)
 {
     static uint32_t job = 1u << 30; // apart from those of tasks
-    struct sb_unit unit = {0};
-    struct sb_unit_told told = {0};
-    struct sb_points_truth truth = {0};
     const struct sb_unit_params params = {
         .axes = env->axes,
-        .variant = setting->variant,
+        .variant = variant,
         .driver = env->driver,
         .data_dir = env->data_dir,
         .shaders = env->shaders,
         .id = job++,
     };
+    return sb_unit_open(unit, &params, err);
+}
+
+bool sb_case_ask_points(const struct sb_case_env *env, const struct sb_case *it,
+                        const struct sb_case_setting *setting, struct sb_points *points,
+                        struct sb_outcome *outcome, struct sb_error *err)
+{
+    struct sb_unit unit = {0};
+    struct sb_unit_told told = {0};
+    struct sb_points_truth truth = {0};
     if (sb_case_precisions[setting->precision].half && !it->keeps_inputs)
         sb_points_round(points);
-    const bool good = sb_unit_open(&unit, &params, err) &&
-                      sb_unit_light(&unit, points, lights_asked(it, points), &told, err);
+    const bool good =
+        sb_case_unit_open(&unit, env, setting->variant, err) &&
+        sb_unit_light(&unit, points, sb_case_lights_asked(it, points), &told, err);
     if (good) {
         sb_points_truth_make(points, setting->variant, &truth);
         const struct sb_judged judged = {it, setting, points, &told, &truth};

@@ -136,12 +136,13 @@ struct sb_case_family {
     const struct sb_case *row;
     int count;
 };
-enum { SB_CASE_FAMILIES = 7 };
+enum { SB_CASE_FAMILIES = 8 };
 extern const struct sb_case_family *const sb_case_families[SB_CASE_FAMILIES];
 // The families' tables: distance.c, vectors.c, specular.c, cones.c, area.c, shadows.c,
-// accumulation.c.
+// accumulation.c; and relations.c, which needs no reference.
 extern const struct sb_case_family sb_cases_distance, sb_cases_vectors, sb_cases_specular,
-    sb_cases_cones, sb_cases_area, sb_cases_shadows, sb_cases_accumulation;
+    sb_cases_cones, sb_cases_area, sb_cases_shadows, sb_cases_accumulation,
+    sb_cases_relations;
 
 // The case called `id` and its family; an unknown id fails with the nearest ones.
 const struct sb_case *sb_case_expect(const char *id, const struct sb_case_family **family,

@@ -29,7 +29,7 @@ const struct sb_figure_row sb_figure_rows[SB_FIGURE_COUNT] = {
 
 const struct sb_case_family *const sb_case_families[SB_CASE_FAMILIES] = {
     &sb_cases_distance, &sb_cases_vectors, &sb_cases_specular,     &sb_cases_cones,
-    &sb_cases_area,     &sb_cases_shadows, &sb_cases_accumulation,
+    &sb_cases_area,     &sb_cases_shadows, &sb_cases_accumulation, &sb_cases_relations,
 };
 
 int sb_case_total(void)

@@ -173,6 +173,14 @@ static double count_rises(const struct sb_judged *judged, int of, int *point)
     return rises;
 }
 
+double sb_judge_point(const struct sb_judged *judged,
+                      const struct sb_criterion *criterion, int point)
+{
+    if (criterion->figure == SB_FIGURE_FINITE)
+        return count_bad(judged, point);
+    return is_left_out(judged, point) ? 0 : worst_of_point(judged, criterion, point);
+}
+
 double sb_judge(const struct sb_judged *judged, const struct sb_criterion *criterion,
                 int *point)
 {
@@ -183,8 +191,7 @@ double sb_judge(const struct sb_judged *judged, const struct sb_criterion *crite
     if (criterion->figure == SB_FIGURE_RISES)
         return count_rises(judged, criterion->of, point);
     for (int p = 0; p < judged->points->count; p++) {
-        const double one =
-            is_left_out(judged, p) ? 0 : worst_of_point(judged, criterion, p);
+        const double one = sb_judge_point(judged, criterion, p);
         if (one > worst) {
             worst = one;
             *point = p;

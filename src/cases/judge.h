@@ -4,6 +4,13 @@
 #include "cases/case.h"
 #include "cases/unit.h"
 
+// A unit for points of a case: its job has a number that no task's has.
+bool sb_case_unit_open(struct sb_unit *unit, const struct sb_case_env *env,
+                       const struct sb_variant *variant, struct sb_error *err);
+
+// Of how many lights terms are asked: of none where no criterion is of a term.
+int sb_case_lights_asked(const struct sb_case *it, const struct sb_points *points);
+
 struct sb_judged {
     const struct sb_case *it;
     const struct sb_case_setting *setting;
@@ -16,6 +23,10 @@ struct sb_judged {
 // within rounding of going the other way is left out of errors, not of counts.
 double sb_judge(const struct sb_judged *judged, const struct sb_criterion *criterion,
                 int *point);
+
+// The same of one point, for figures that a single point has.
+double sb_judge_point(const struct sb_judged *judged,
+                      const struct sb_criterion *criterion, int point);
 
 // Passes each criterion that covers the precision? Sets verdict, figure, of, measured, bound and point:
 // of the first that fails, else of the one that comes nearest to its bound.
