@@ -6,7 +6,10 @@ layout(triangles) in;
 layout(triangle_strip, max_vertices = 18) out;
 
 in highp vec3 v_world[];
-out P_VARYING vec3 v_position;
+
+#include "shadow_distance/$(F_SHADOW).glsl"
+
+out P_VARYING CARRIED v_carried;
 
 uniform highp mat4 u_face[6]; // world to clip
 uniform highp int u_first_layer;
@@ -18,7 +21,7 @@ void main()
             // Set for every vertex: which one counts is the driver's choice, and what was
             // written is undefined after EmitVertex() (GLSL 4.60, 7.1.4 and 8.15).
             gl_Layer = u_first_layer + face;
-            v_position = v_world[i];
+            v_carried = carried(v_world[i]);
             gl_Position = u_face[face] * vec4(v_world[i], 1.0);
             EmitVertex();
         }

@@ -226,6 +226,10 @@ static void check_value(int axis, const char *word)
         "dir=1 point=2 shadows=2 shadow_bias_kind=slope shadow_filter=4 shadow_store=r8 "
         "shadow_map=array2d shadow_pass=layered shadow_bias=0.5 shadow_size=64",
         "precision=mediump dir=1 point=2 spot=1 maps=diffuse+specular",
+        "dir=1 maps=normal",
+        "dir=1 maps=normal form=naive normal_store=rg",
+        "point=2 shadows=1 form=naive",
+        "area=1 form=naive maps=normal precision=mediump",
     };
     for (size_t i = 0; i < sizeof bases / sizeof *bases; i++)
         if (can_have(bases[i], axis, word) && changes(axis, word, bases[i]))

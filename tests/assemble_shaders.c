@@ -7,11 +7,19 @@
 
 enum { VALUES = 8 };
 
+#define FORM(name)                                                                       \
+    {                                                                                    \
+        name,                                                                            \
+        {                                                                                \
+            "robust", "naive"                                                            \
+        }                                                                                \
+    }
 static const struct choice {
     const char *axis;
     const char *value[VALUES];
 } choices[] = {
     {"glsl", {"330", "450", "300es", "310es", "100"}},
+    {"target", {"rgba8", "rgba16f"}},
     {"dir", {"0", "1", "3"}},
     {"point", {"0", "2", "4"}},
     {"spot", {"0", "1", "3"}},
@@ -36,7 +44,15 @@ static const struct choice {
     {"precision", {"highp", "mixed", "mediump", "lowp"}},
     {"p_sampler", {"highp", "mediump", "lowp"}},
     {"normalise", {"on", "off"}},
-    {"form", {"robust", "naive"}},
+    {"normal_store", {"rgb", "rg"}},
+    FORM("f_unit"),
+    FORM("f_attenuation"),
+    FORM("f_cone"),
+    FORM("f_highlight"),
+    FORM("f_area"),
+    FORM("f_frame"),
+    FORM("f_output"),
+    FORM("f_shadow"),
     {"shadow_bias_kind", {"constant", "slope"}},
     {"shadow_filter", {"1", "4", "16"}},
     {"shadow_store", {"r8", "r16f", "r32f", "depth"}},

@@ -116,6 +116,15 @@ __attribute__((weak)) double sb_ref_geometry_hit(const struct sb_ref_geometry *g
     return t;
 }
 
+// Ball and plane have no corners.
+__attribute__((weak)) double sb_ref_geometry_corners_away(
+    const struct sb_ref_geometry *geometry, const struct sb_ref_ray *ray, double *away)
+{
+    const double t = sb_ref_geometry_hit(geometry, ray);
+    *away = t * sb_vec3_length(ray->direction);
+    return t;
+}
+
 __attribute__((weak)) bool sb_ref_geometry_blocked(const struct sb_ref_geometry *geometry,
                                                    const struct sb_ref_ray *ray)
 {

@@ -488,7 +488,8 @@ static void texels_that_are_given_are_not_looked_up(void **state)
     world.input.sampled = true;
     world.input.texel[SB_MAP_DIFFUSE] = (struct sb_vec3){0.25, 0.5, 0.75};
     world.input.texel[SB_MAP_SPECULAR] = (struct sb_vec3){1, 0, 0.125};
-    world.input.texel[SB_MAP_NORMAL] = (struct sb_vec3){0.5, 0.5, 1}; // straight up
+    world.input.texel[SB_MAP_NORMAL] =
+        (struct sb_vec3){128 / 255.0, 128 / 255.0, 1}; // straight up
     const struct sb_ref_shade made = shade(&world, NULL);
     assert_true(made.normal.x == 0 && made.normal.y == 0 && made.normal.z == 1);
     const struct sb_vec3 colour = sb_ref_colour(&world.shading, &made, &world.input);
@@ -500,7 +501,7 @@ static void texels_that_are_given_are_not_looked_up(void **state)
 static void a_normal_map_turns_the_normal_in_its_frame(void **state)
 {
     (void)state;
-    static const unsigned char along_tangent[4] = {255, 0, 0, 255};
+    static const unsigned char along_tangent[4] = {255, 1, 1, 255};
     struct world world;
     world_make(&world, "point=1,maps=normal,normalise=off");
     world_add(&world, SB_LIGHT_POINT, 0, 0, 2);

@@ -415,7 +415,7 @@ static void normal_map_texels_are_unit_vectors_that_point_out(void **state)
     for (int i = 0; i < map->width * map->height; i++) {
         double n[3], square = 0;
         for (int k = 0; k < 3; k++) {
-            n[k] = map->texel[4 * i + k] / 127.5 - 1;
+            n[k] = (map->texel[4 * i + k] - 128) / 127.0;
             square += n[k] * n[k];
         }
         check_close(sqrt(square), 1, 0.01);

@@ -25,4 +25,4 @@ P_POSITION float shadow_reference(P_POSITION vec3 to_light, P_ATTENUATION float 
 
 // In the program that draws the map: the rasteriser stores.
 #define DECLARE_O_STORED
-#define STORE(to_light, range)
+#define STORE(d, range)

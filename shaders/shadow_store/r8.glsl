@@ -1,2 +1,2 @@
-// shadow_store=r8: 8-bit distance: beyond the range it is clamped to 0.
+// shadow_store=r8: 8-bit distance.
 #include "shadow_store/distance.glsl"

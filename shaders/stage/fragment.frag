@@ -7,14 +7,12 @@ IF_NORMAL_MAP(GIVEN_INPUT P_VARYING vec3 v_bitangent;)
 #include "unit.glsl"
 #include "normalise/$(NORMALISE).glsl"
 #include "lighting.glsl"
+#include "frame.glsl"
 
-// The normal that the map gives in the frame of tangent, bitangent and normal.
 P_VECTOR vec3 mapped(P_VECTOR vec3 normal)
 {
     IF_NORMAL_MAP(P_VECTOR vec3 bump = normal_map(v_uv);)
-    IF_NORMAL_MAP(P_VECTOR vec3 tangent = unit(v_tangent);)
-    IF_NORMAL_MAP(P_VECTOR vec3 bitangent = unit(v_bitangent);)
-    IF_NORMAL_MAP(normal = unit(mat3(tangent, bitangent, normal) * bump);)
+    IF_NORMAL_MAP(normal = normal_in_frame(normal, v_tangent, v_bitangent, bump);)
     return normal;
 }
 

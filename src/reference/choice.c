@@ -28,6 +28,16 @@ static bool keeps_length(const struct sb_ref_shading *shading, int slips)
     return slips == SB_SOURCE_UBO || (off && !shading->ideal);
 }
 
+// Where the naive form is another formula, the model of the variant follows it. Where it only
+// lacks a guard or cancels, what it loses is an error of arithmetic.
+static void choose_forms(const double *value, struct sb_ref_choice *choice)
+{
+    choice->spreads = value[SB_AXIS_F_FRAME] == SB_F_FRAME_NAIVE;
+    choice->restores = value[SB_AXIS_NORMAL_STORE] == SB_NORMAL_STORE_RG;
+    choice->eases = value[SB_AXIS_F_CONE] == SB_F_CONE_NAIVE;
+    choice->per_vertex = value[SB_AXIS_F_SHADOW] == SB_F_SHADOW_NAIVE;
+}
+
 static void choose_shadows(const double *value, struct sb_ref_choice *choice)
 {
     choice->taps = taps[(int)value[SB_AXIS_SHADOW_FILTER]];
@@ -60,6 +70,8 @@ struct sb_ref_choice sb_ref_choose(const struct sb_ref_shading *shading)
         .maps = sb_ref_maps_of(shading->variant),
         .casters = (int)value[SB_AXIS_SHADOWS],
     };
+    if (!shading->ideal)
+        choose_forms(value, &choice);
     if (choice.casters > 0)
         choose_shadows(value, &choice);
     return choice;

@@ -57,6 +57,13 @@ static double one_minus_cut_off(const struct sb_ref_choice *choice,
     return 2 * half * half;
 }
 
+// cos inner - cos outer = 2 sin((outer + inner) / 2) sin((outer - inner) / 2)
+static double inner_less_outer(const struct sb_light *light)
+{
+    const double outer = light->cutoff, inner = light->inner;
+    return 2 * sin(0.5 * (outer + inner)) * sin(0.5 * (outer - inner));
+}
+
 // cos^exponent with the cosine clamped to [1e-4, 1]. OpenGL 2.1, 2.14.1.
 static double exponent(const struct sb_light *light, const struct angle *angle)
 {
@@ -76,6 +83,18 @@ static double linear(const struct sb_ref_choice *choice, const struct sb_light *
     return fmax(1 - share, 0);
 }
 
+// A smoothstep of the cosine: equal edges are a step.
+static double eased(const struct sb_ref_choice *choice, const struct sb_light *light,
+                    const struct angle *angle)
+{
+    const double inside = one_minus_cut_off(choice, light) - angle->one_minus_product;
+    const double width = choice->makes_cone
+                             ? inner_less_outer(light)
+                             : (double)light->cos_inner - (double)light->cos_cutoff;
+    const double t = width > 0 ? fmin(fmax(inside / width, 0), 1) : inside >= 0;
+    return t * t * (3 - 2 * t);
+}
+
 // A ramp of the cosine with a bounded divisor (Filament, LightManager::setSpotParams). With
 // cos a = 1 - x the sum of scale and offset is made first, in which they cancel exactly or to
 // the last bit.
@@ -85,10 +104,8 @@ static double smooth(const struct sb_ref_choice *choice, const struct sb_light *
     const double rest = angle->one_minus_product;
     double ramp;
     if (choice->makes_cone) {
-        // cos inner - cos outer = 2 sin((outer + inner) / 2) sin((outer - inner) / 2)
-        const double outer = light->cutoff, inner = light->inner;
-        const double wide = 2 * sin(0.5 * (outer + inner)) * sin(0.5 * (outer - inner));
-        ramp = (one_minus_cut_off(choice, light) - rest) / fmax(wide, 1.0 / 1024);
+        ramp = (one_minus_cut_off(choice, light) - rest) /
+               fmax(inner_less_outer(light), 1.0 / 1024);
     } else {
         const double scale = light->cone_scale, offset = light->cone_offset;
         ramp = (scale + offset) - rest * scale;
@@ -105,7 +122,8 @@ void sb_ref_cone(const struct sb_ref_choice *choice, const struct sb_light *ligh
         incident->cone = linear(choice, light, &angle);
         return;
     case SB_CONE_SMOOTH:
-        incident->cone = smooth(choice, light, &angle);
+        incident->cone =
+            choice->eases ? eased(choice, light, &angle) : smooth(choice, light, &angle);
         return;
     default:
         incident->cone_margin =

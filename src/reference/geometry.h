@@ -89,6 +89,10 @@ struct sb_ref_ray {
 };
 double sb_ref_geometry_hit(const struct sb_ref_geometry *geometry,
                            const struct sb_ref_ray *ray);
+// The same for triangles alone; *away: the distances of the triangle's corners from `origin`, in
+// world units, interpolated to where the ray meets it.
+double sb_ref_geometry_corners_away(const struct sb_ref_geometry *geometry,
+                                    const struct sb_ref_ray *ray, double *away);
 // Is anything there at all? Faster than the first.
 bool sb_ref_geometry_blocked(const struct sb_ref_geometry *geometry,
                              const struct sb_ref_ray *ray);

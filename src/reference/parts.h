@@ -15,7 +15,10 @@ struct sb_ref_choice {
     bool energy;       // … and have the same energy, whatever their exponent
     bool cuts_back;    // no highlights where the surface faces away
     bool keeps_length; // interpolated normals stay as they are
+    bool spreads;      // f_frame=naive: normal maps by 2 texel - 1
+    bool restores;     // z of a normal map follows from x and y
     bool makes_cone;   // hoist=per_light: from the angles, with a unit axis
+    bool eases;        // f_cone=naive: the smooth cone is a smoothstep
     bool unified;      // the light arrays have the members of layout=unified
     bool passes_off;   // lights of intensity 0 are passed over
     const bool *maps;  // sb_ref_maps_of
@@ -24,6 +27,7 @@ struct sb_ref_choice {
     int size, store;   // of a shadow map: texels a side, value of the axis
     double bias;
     bool bias_slopes;
+    bool per_vertex; // f_shadow=naive: distances are interpolated, and unbounded
 };
 struct sb_ref_choice sb_ref_choose(const struct sb_ref_shading *shading);
 // SB_MAP_COUNT: which maps are read.

@@ -79,13 +79,18 @@ static struct walk walk_of(const struct sb_ref_ray *ray)
     return walk;
 }
 
-// The distance to the triangle; INFINITY: none in [near, far]. Sheared corners belong to corner
-// and ray alone, so the two triangles of an edge agree on which side of it the ray passes, and
-// it passes both where that is zero: no ray slips between.
-static inline double triangle_hit(const struct walk *walk,
-                                  const struct sb_ref_triangle *triangle)
+// Where the ray meets a triangle: barycentric coordinates times their sum, and how far along the
+// axis kz the corners are.
+struct met {
+    double weight[3], sum, z[3];
+};
+
+// Sheared corners belong to corner and ray alone, so the two triangles of an edge agree on which
+// side of it the ray passes, and it passes both where that is zero: no ray slips between.
+static inline bool meet(const struct walk *walk, const struct sb_ref_triangle *triangle,
+                        struct met *met)
 {
-    double x[3], y[3], z[3];
+    double x[3], y[3], *const z = met->z;
     for (int i = 0; i < 3; i++) {
         const double *corner = triangle->corner[i];
         z[i] = corner[walk->kz] - walk->origin[walk->kz];
@@ -96,12 +101,42 @@ static inline double triangle_hit(const struct walk *walk,
     const double v = x[0] * y[2] - y[0] * x[2];
     const double w = x[1] * y[0] - y[1] * x[0];
     if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0))
+        return false;
+    met->weight[0] = u;
+    met->weight[1] = v;
+    met->weight[2] = w;
+    met->sum = u + v + w;
+    return met->sum != 0; // else edge-on
+}
+
+// The distance to the triangle; INFINITY: none in [near, far].
+static inline double triangle_hit(const struct walk *walk,
+                                  const struct sb_ref_triangle *triangle)
+{
+    struct met met;
+    if (!meet(walk, triangle, &met))
         return INFINITY;
-    const double det = u + v + w;
-    if (det == 0) // edge-on
-        return INFINITY;
-    const double t = walk->sz * (u * z[0] + v * z[1] + w * z[2]) / det;
+    const double *weight = met.weight, *z = met.z;
+    const double t =
+        walk->sz * (weight[0] * z[0] + weight[1] * z[1] + weight[2] * z[2]) / met.sum;
     return t >= walk->near && t <= walk->far ? t : INFINITY;
+}
+
+// How far from the origin the triangle's corners are, interpolated to where it is met.
+static double corners_away(const struct walk *walk,
+                           const struct sb_ref_triangle *triangle)
+{
+    struct met met;
+    double sum = 0;
+    if (!meet(walk, triangle, &met))
+        return INFINITY;
+    for (int i = 0; i < 3; i++) {
+        const double *corner = triangle->corner[i], *from = walk->origin;
+        const struct sb_vec3 to = {corner[0] - from[0], corner[1] - from[1],
+                                   corner[2] - from[2]};
+        sum += met.weight[i] * sb_vec3_length(to);
+    }
+    return sum / met.sum;
 }
 
 // --- the tree --------------------------------------------------------------------------
@@ -135,8 +170,9 @@ struct visit {
     double enter;
 };
 
-// Nearest first; with `any` the first that is found will do.
-static inline double tree_hit(const struct sb_ref_tree *tree, struct walk walk, bool any)
+// Nearest first; with `any` the first that is found will do. `which`: takes it, or NULL.
+static inline double tree_hit(const struct sb_ref_tree *tree, struct walk walk, bool any,
+                              const struct sb_ref_triangle **which)
 {
     struct visit stack[SB_REF_TREE_DEPTH + 1];
     int count = 0;
@@ -158,6 +194,8 @@ static inline double tree_hit(const struct sb_ref_tree *tree, struct walk walk, 
             if (any)
                 return t;
             best = walk.far = t;
+            if (which)
+                *which = triangle;
         }
         if (node->count > 0)
             continue;
@@ -184,7 +222,18 @@ double sb_ref_geometry_hit(const struct sb_ref_geometry *geometry,
         best = fmin(best, sb_ref_sphere_hit(&tree->sphere[i], ray));
     struct walk walk = walk_of(ray);
     walk.far = fmin(walk.far, best);
-    return fmin(best, tree_hit(tree, walk, false));
+    return fmin(best, tree_hit(tree, walk, false, NULL));
+}
+
+double sb_ref_geometry_corners_away(const struct sb_ref_geometry *geometry,
+                                    const struct sb_ref_ray *ray, double *away)
+{
+    const struct sb_ref_triangle *which = NULL;
+    struct walk walk = walk_of(ray);
+    walk.truth = false;
+    const double t = tree_hit(geometry->tree, walk, false, &which);
+    *away = which ? corners_away(&walk, which) : INFINITY;
+    return t;
 }
 
 bool sb_ref_geometry_blocked(const struct sb_ref_geometry *geometry,
@@ -195,5 +244,5 @@ bool sb_ref_geometry_blocked(const struct sb_ref_geometry *geometry,
         if (sb_ref_sphere_hit(&tree->sphere[i], ray) < INFINITY)
             return true;
     }
-    return tree_hit(tree, walk_of(ray), true) < INFINITY;
+    return tree_hit(tree, walk_of(ray), true, NULL) < INFINITY;
 }

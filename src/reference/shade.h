@@ -6,7 +6,8 @@
 //
 // Conventions where a formula is undefined (the same as the robust GLSL's): the unit vector of
 // a zero vector is zero; the polynomial attenuation's divisor is at least 1e-4; pow(0, 0) = 1
-// cannot occur, shininess being above 0; a cone's cosine is clamped to [1e-4, 1] under its exponent.
+// cannot occur, shininess being above 0; a tangent frame whose determinant is at most 1/1024 leaves
+// the normal as it is; a cone's cosine is clamped to [1e-4, 1] under its exponent.
 #pragma once
 
 #include "reference/geometry.h"
@@ -22,7 +23,7 @@ struct sb_ref_shading {
     bool view_space; // inputs and lights are in view space, where the eye is the origin
     // The ideal model, whatever the quality axes say: normals renormalised, shadows by exact
     // visibility. Else as the variant has it: interpolated normals as they are with
-    // normalise=off, shadows by looking up a map of shadow_size texels, with its bias, filter and
+    // normalise=off, the formulas of f_cone, f_frame and normal_store, shadows by looking up a map of shadow_size texels, with its bias, filter and
     // format, whose texels hold the exact distance along their centres.
     bool ideal;
 };

@@ -1,5 +1,7 @@
 // How much of a caster's light reaches the surface: by a ray, or by a map as the variant has it,
 // whose texels hold the exact distance along their centres.
+#include <math.h>
+
 #include "reference/parts.h"
 
 // The place of a caster in world space. Maps are drawn from the scene's own lights, and the
@@ -65,8 +67,14 @@ static double looked_up(const struct sb_ref_shading *shading,
         .near = range / 1000,
         .far = range,
     };
+    if (choice->per_vertex) {
+        double away;
+        const double t = sb_ref_geometry_corners_away(shading->geometry, &ray, &away);
+        return sb_ref_stored(choice->store, t / range, away / range);
+    }
     const double depth = sb_ref_geometry_hit(shading->geometry, &ray) / range;
-    return sb_ref_stored(choice->store, depth, depth * sb_vec3_length(centre));
+    const double distance = depth * sb_vec3_length(centre);
+    return sb_ref_stored(choice->store, depth, fmin(distance, 1));
 }
 
 static double mapped(const struct sb_ref_shading *shading,
@@ -74,6 +82,8 @@ static double mapped(const struct sb_ref_shading *shading,
 {
     if (!(sight->distance > 0)) // on the light: nothing is nearer
         return 1;
+    if (!choice->per_vertex && !(sight->distance < sight->light->range))
+        return 0;
     const struct sb_vec3 light = place_of(shading, sight);
     const struct sb_vec3 to_light = sb_ref_to_world(shading, sight->to_light);
     const double range = sight->light->range;

@@ -45,7 +45,8 @@ uint64_t sb_ref_model_key(const struct sb_axes *axes, const struct sb_variant *v
     static const int of_model[] = {
         SB_AXIS_TESSELLATION, SB_AXIS_STAGE,         SB_AXIS_NORMALISE,
         SB_AXIS_SHADOW_SIZE,  SB_AXIS_SHADOW_BIAS,   SB_AXIS_SHADOW_BIAS_KIND,
-        SB_AXIS_SHADOW_STORE, SB_AXIS_SHADOW_FILTER,
+        SB_AXIS_SHADOW_STORE, SB_AXIS_SHADOW_FILTER, SB_AXIS_F_SHADOW,
+        SB_AXIS_F_CONE,       SB_AXIS_F_FRAME,       SB_AXIS_NORMAL_STORE,
     };
     uint64_t key = sb_ref_ideal_key(axes, variant, scene);
     for (size_t i = 0; i < sizeof of_model / sizeof *of_model; i++)

@@ -1,4 +1,6 @@
 // The point that is lit: where it is, its normal, and where the eye is.
+#include <math.h>
+
 #include "reference/parts.h"
 
 struct sb_vec3 sb_ref_to_world(const struct sb_ref_shading *shading, struct sb_vec3 v)
@@ -34,16 +36,37 @@ static struct sb_vec3 eye(const struct sb_ref_shading *shading,
     return sb_ref_vec(shading->scene->camera.eye);
 }
 
-// The normal that the map gives in the frame of tangent, bitangent and normal.
-static struct sb_vec3 mapped(const struct sb_ref_shading *shading,
-                             const struct sb_ref_input *input, struct sb_vec3 normal)
+// Eight bits: 0 is 128, and 1 is 255.
+static double decoded(const struct sb_ref_choice *choice, double component)
+{
+    return choice->spreads ? 2 * component - 1 : (255 * component - 128) / 127;
+}
+
+static struct sb_vec3 bump_of(const struct sb_ref_shading *shading,
+                              const struct sb_ref_choice *choice,
+                              const struct sb_ref_input *input)
 {
     const struct sb_vec3 texel = sb_ref_texel(shading, input, SB_MAP_NORMAL);
+    const double x = decoded(choice, texel.x), y = decoded(choice, texel.y);
+    const double z =
+        choice->restores ? sqrt(fmax(1 - x * x - y * y, 0)) : decoded(choice, texel.z);
+    return (struct sb_vec3){x, y, z};
+}
+
+// The normal that the map gives in the frame of tangent, bitangent and normal; in a frame that is
+// flat, the normal itself. Flat: the determinant of its unit vectors is 1/1024 at most.
+static struct sb_vec3 mapped(const struct sb_ref_shading *shading,
+                             const struct sb_ref_choice *choice,
+                             const struct sb_ref_input *input, struct sb_vec3 normal)
+{
+    const struct sb_vec3 bump = bump_of(shading, choice, input);
     const struct sb_vec3 t = sb_ref_unit(input->tangent);
     const struct sb_vec3 b = sb_ref_unit(input->bitangent);
+    if (!(fabs(sb_vec3_dot(sb_vec3_cross(t, b), normal)) > 1.0 / 1024))
+        return normal;
     const struct sb_vec3 along =
-        sb_vec3_add(sb_vec3_scale(t, 2 * texel.x - 1), sb_vec3_scale(b, 2 * texel.y - 1));
-    return sb_ref_unit(sb_vec3_add(along, sb_vec3_scale(normal, 2 * texel.z - 1)));
+        sb_vec3_add(sb_vec3_scale(t, bump.x), sb_vec3_scale(b, bump.y));
+    return sb_ref_unit(sb_vec3_add(along, sb_vec3_scale(normal, bump.z)));
 }
 
 struct sb_ref_surface sb_ref_surface_of(const struct sb_ref_shading *shading,
@@ -59,7 +82,7 @@ struct sb_ref_surface sb_ref_surface_of(const struct sb_ref_shading *shading,
         .shininess = material->shininess,
     };
     if (choice->maps[SB_MAP_NORMAL])
-        surface.normal = mapped(shading, input, surface.normal);
+        surface.normal = mapped(shading, choice, input, surface.normal);
     else if (choice->keeps_length)
         surface.shortfall = 1 - sb_vec3_dot(surface.normal, surface.normal);
     return surface;

@@ -9,7 +9,8 @@
 
 // A member is there where some formula of the variant reads it. The conditions name the values
 // that do not: a new law, cone or shape has all members until its row here says otherwise. Of a
-// formula with two forms both are compiled.
+// formula with two forms both are compiled, and so have their members but for the smooth cone's,
+// of which hoist/once.glsl names the one form's only.
 // clang-format off
 #define FIELD(name, components, range, when) \
     {#name, offsetof(struct sb_light, name), components, range, when}
@@ -33,12 +34,14 @@
 #define RAMP "cone!=hard,cone!=exponent,cone!=linear"
 #define CONE \
     DIRECTION(""), \
-    FIELD(cos_cutoff,        1, SB_COSINE,       "layout=unified|hoist=once,cone!=smooth"), \
+    FIELD(cos_cutoff,        1, SB_COSINE, \
+          "layout=unified|hoist=once,cone!=smooth|hoist=once,f_cone=naive"), \
+    FIELD(cos_inner,         1, SB_COSINE,       "hoist=once,f_cone=naive," RAMP), \
     FIELD(exponent,          1, SB_NOT_NEGATIVE, "cone!=hard,cone!=linear,cone!=smooth"), \
     FIELD(inv_one_minus_cos, 1, SB_NOT_NEGATIVE, \
           "hoist=once,cone!=hard,cone!=exponent,cone!=smooth"), \
-    FIELD(cone_scale,        1, SB_NOT_NEGATIVE, "hoist=once," RAMP), \
-    FIELD(cone_offset,       1, SB_FINITE,       "hoist=once," RAMP), \
+    FIELD(cone_scale,        1, SB_NOT_NEGATIVE, "hoist=once,f_cone=robust," RAMP), \
+    FIELD(cone_offset,       1, SB_FINITE,       "hoist=once,f_cone=robust," RAMP), \
     INTENSITY, \
     FIELD(cutoff,            1, SB_HALF_ANGLE, \
           "hoist=per_light|cone!=exponent,cone!=linear,cone!=smooth"), \
@@ -189,6 +192,7 @@ void sb_light_set_cone(struct sb_light *light, double inner, double outer)
     light->cutoff = (float)outer;
     light->inner = (float)inner;
     light->cos_cutoff = (float)cos_outer;
+    light->cos_inner = (float)cos_inner;
     light->inv_one_minus_cos = (float)(1 / (2 * half * half)); // 1 - cos a = 2 sin^2(a/2)
     light->cone_scale = (float)scale;
     light->cone_offset = (float)(-cos_outer * scale);
@@ -210,6 +214,7 @@ struct sb_light sb_light_unified(const struct sb_light *light, enum sb_light_typ
         unified.cutoff = (float)SB_PI;
         unified.inner = (float)SB_PI;
         unified.cos_cutoff = -1;
+        unified.cos_inner = -1;
         unified.exponent = 0;
         unified.inv_one_minus_cos = 0;
         unified.cone_scale = 0;

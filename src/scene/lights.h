@@ -20,7 +20,7 @@ struct sb_light {
     float ambient[3], diffuse[3], specular[3];
     float constant, linear, quadratic; // 1 / (constant + linear d + quadratic d^2)
     float cutoff, inner; // half angles of the cone, radians; cutoff pi: no cone
-    float cos_cutoff;
+    float cos_cutoff, cos_inner;
     float exponent;          // cone=exponent: pow(cos, exponent)
     float inv_one_minus_cos; // cone=linear: 1 / (1 - cos cutoff), made in double
     float cone_scale;        // cone=smooth: clamp(cos * scale + offset, 0, 1), from inner
@@ -95,7 +95,7 @@ int sb_light_struct_of(const struct sb_variant *variant, enum sb_light_type type
 
 // The members that the shaders of a variant can read: of the struct's fields those whose
 // condition holds, in order. What is declared, uploaded, counted and laid out is these.
-enum { SB_LIGHT_FIELD_MAX = 18 };
+enum { SB_LIGHT_FIELD_MAX = 19 };
 struct sb_light_members {
     const struct sb_light_field *field[SB_LIGHT_FIELD_MAX];
     int count;

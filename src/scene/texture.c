@@ -73,14 +73,19 @@ static void put_specular(unsigned char *texel, int x, int y)
     put(texel, shine, shine, shine);
 }
 
+// -1 is 1, 0 is 128 and 1 is 255: a flat texel is exactly flat (f_frame=robust decodes so).
+static int encoded(double component)
+{
+    return (int)(128 + 127 * component + 0.5);
+}
+
 static void put_normal(unsigned char *texel, int x, int y)
 {
     // Central differences; one unit of height is half a texel, so slopes stay moderate.
     const double dx = (height_at(x + 1, y) - height_at(x - 1, y)) / 4;
     const double dy = (height_at(x, y + 1) - height_at(x, y - 1)) / 4;
     const struct sb_vec3 n = sb_vec3_normalise((struct sb_vec3){-dx, -dy, 1});
-    put(texel, (int)(127.5 + 127.5 * n.x + 0.5), (int)(127.5 + 127.5 * n.y + 0.5),
-        (int)(127.5 + 127.5 * n.z + 0.5));
+    put(texel, encoded(n.x), encoded(n.y), encoded(n.z));
 }
 
 void sb_texture_make(struct sb_arena *arena, struct sb_texture map[SB_MAP_COUNT])

@@ -25,6 +25,8 @@ int main(void)
         cmocka_unit_test(a_flat_normal_map_is_none),
         cmocka_unit_test(a_texel_turns_the_normal_in_the_frame_of_the_surface),
         cmocka_unit_test(a_mirrored_frame_turns_it_the_other_way),
+        cmocka_unit_test(a_frame_without_room_leaves_the_normal_alone),
+        cmocka_unit_test(a_texel_that_is_too_long_lies_in_the_surface),
         cmocka_unit_test(the_order_of_lights_does_not_matter),
         cmocka_unit_test(half_lights_make_a_whole_one),
         cmocka_unit_test(the_light_of_several_is_the_sum_of_each),

@@ -135,12 +135,12 @@ static double tap(int caster, const double *to_point, const double *direction, i
     double centre[3];
     texel_centre(direction, centre);
     const double d = length_of(to_point);
-    const double seen = stored_seen(caster, centre, store);
+    const double seen = stored_seen(caster, centre, store), left = 1 - d / range;
     if (store != SB_SHADOW_STORE_DEPTH)
-        return 1 - d / range + bias - seen;
+        return fmin(left, left + bias - seen);
     const double near = range / 1000;
     const double m = largest_of(to_point) * (1 - bias * range / d);
-    return seen - (1 / near - 1 / fmax(m, near)) / (1 / near - 1 / range);
+    return fmin(left, seen - (1 / near - 1 / fmax(m, near)) / (1 / near - 1 / range));
 }
 
 // The share of the taps that are lit; *margin: the least of theirs.
@@ -274,7 +274,9 @@ static void check_bias(const char *words, bool slope)
         const double bias = 0.01 * (slope ? 1 + fmin(tan(angle), 9) : 1);
         if (fabs(behind[i] - bias) < 1e-4)
             continue;
-        const bool want = behind[i] < bias;
+        const double d[3] = {points[i][0] - lights[0][0], points[i][1] - lights[0][1],
+                             points[i][2] - lights[0][2]};
+        const bool want = behind[i] < bias && length_of(d) < range;
         lit[want]++;
         if (answers.data[4 * i] != want)
             fail_msg("%s: %g behind at a cosine of %g: %g", words, behind[i],

@@ -77,7 +77,7 @@ static inline double stored_seen(int caster, const double *direction, int store)
     if (store == SB_SHADOW_STORE_DEPTH)
         return (1 / near - 1 / m) / (1 / near - 1 / range);
     const double stored = 1 - t * length_of(direction) / range;
-    return store == SB_SHADOW_STORE_R8 ? fmax(stored, 0) : stored;
+    return fmax(stored, 0); // the corners of the room are out of range
 }
 
 // The faces of the text, by where it looks into its six textures, and those of table 8.19 of

@@ -39,9 +39,8 @@ static inline struct textbook_surface textbook_surface(const struct world *world
                                       unit3(of3(input->bitangent)), surface.normal};
         struct wide3 sum = of3((struct sb_vec3){0, 0, 0});
         for (int i = 0; i < 3; i++)
-            sum = plus3(sum,
-                        times3(frame[i],
-                               minus(times(of(2), over(of(texel[i]), of(255))), of(1))));
+            sum =
+                plus3(sum, times3(frame[i], over(minus(of(texel[i]), of(128)), of(127))));
         surface.normal = unit3(sum);
     }
     surface.view = unit3(minus3(eye, surface.position));

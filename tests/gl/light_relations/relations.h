@@ -112,6 +112,8 @@ void boxes_stay_along_the_axes_of_the_world_in_view_space(void **state);
 
 void a_flat_normal_map_is_none(void **state);
 void a_texel_turns_the_normal_in_the_frame_of_the_surface(void **state);
+void a_frame_without_room_leaves_the_normal_alone(void **state);
+void a_texel_that_is_too_long_lies_in_the_surface(void **state);
 void a_mirrored_frame_turns_it_the_other_way(void **state);
 
 void the_order_of_lights_does_not_matter(void **state);
