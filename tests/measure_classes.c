@@ -132,6 +132,28 @@ static void where_rounding_may_differ_the_difference_is_told_and_no_failure(void
     end(&f);
 }
 
+static float colour_of_origin(void *user, const struct sb_job *job,
+                              const struct sb_image_request *request)
+{
+    (void)user;
+    (void)request;
+    return job->variant.value[SB_AXIS_SPACE] == SB_SPACE_EYE ? 0.5f : 0.25f;
+}
+
+static void another_origin_may_take_filtered_textures_apart_and_nothing_else(void **state)
+{
+    (void)state;
+    struct fixture f;
+    verify(&f, "robust", &(struct sb_null_script){.colour = colour_of_origin},
+           SWEEPS("space", "world,view,eye", "maps", "none,normal"));
+    assert_int_equal(f.classes.count, 2);
+    assert_int_equal(f.classes.row[0].status, SB_CLASS_BROKEN);
+    assert_int_equal(f.classes.row[1].status, SB_OK);
+    assert_true(f.classes.row[1].exact);
+    check_close(f.classes.row[1].spread, 0.25, 0);
+    end(&f);
+}
+
 // user: the status that loop=constant, the first, ends with.
 static void fail_first(void *user, const struct sb_job *job, struct sb_prepared *prepared)
 {
@@ -235,6 +257,8 @@ int main(void)
         cmocka_unit_test(a_broken_class_names_both_variants_the_pixel_and_both_values),
         cmocka_unit_test(the_bound_is_a_ten_thousandth),
         cmocka_unit_test(where_rounding_may_differ_the_difference_is_told_and_no_failure),
+        cmocka_unit_test(
+            another_origin_may_take_filtered_textures_apart_and_nothing_else),
         cmocka_unit_test(what_a_driver_cannot_have_is_told_and_no_failure),
         cmocka_unit_test(what_does_not_compile_fails),
         cmocka_unit_test(pictures_that_show_nothing_do_not_agree),

@@ -52,6 +52,10 @@ static void variants_that_differ_in_precision_form_or_storage_share_both(void **
     assert_int_equal(
         added("sphere", "point=1,storage=ubo_std140,loop=dynamic,space=view"), 0);
     assert_int_equal(added("sphere", "point=1,update=lights,layers=4"), 0);
+    // Another origin makes other floats, whose truth is another in its last bits.
+    assert_int_equal(added("sphere", "point=1,space=eye"), 2);
+    assert_int_equal(added("sphere", "point=1,space=eye,storage=constant"), 0);
+    assert_int_equal(added("sphere", "point=1"), 0);
 }
 
 static void what_the_model_depends_on_shares_the_ideal_only(void **state)

@@ -391,14 +391,15 @@ static void the_limits_of_the_axes_still_make_valid_scenes(void **state)
                                       {1e-6, 0, 1, 1},
                                       {1e6, 0, 1, 1}};
     for (int i = 0; i < sb_scene_row_count; i++) {
-        for (size_t k = 0; k < sizeof limit / sizeof *limit; k++) {
+        for (size_t k = 0; k < 2 * (sizeof limit / sizeof *limit); k++) {
             struct sb_variant variant = scene_variant(256, 256, 256);
+            variant.value[SB_AXIS_SPACE] = k % 2 ? SB_SPACE_EYE : SB_SPACE_WORLD;
             variant.value[SB_AXIS_AREA] = 256;
             variant.value[SB_AXIS_LAMPS] = SB_LAMPS_ON;
-            variant.value[SB_AXIS_SCALE] = limit[k][0];
-            variant.value[SB_AXIS_OFFSET] = limit[k][1];
-            variant.value[SB_AXIS_WIDTH] = limit[k][2];
-            variant.value[SB_AXIS_HEIGHT] = limit[k][3];
+            variant.value[SB_AXIS_SCALE] = limit[k / 2][0];
+            variant.value[SB_AXIS_OFFSET] = limit[k / 2][1];
+            variant.value[SB_AXIS_WIDTH] = limit[k / 2][2];
+            variant.value[SB_AXIS_HEIGHT] = limit[k / 2][3];
             struct sb_scene scene = made(sb_scene_rows[i].name, &variant);
             sb_scene_free(&scene);
         }

@@ -154,3 +154,11 @@ bool sb_platform_class_exact(const struct sb_variant *variant)
            variant->value[SB_AXIS_EMULATE] == SB_EMULATE_NONE &&
            variant->value[SB_AXIS_OFFSET] == 0;
 }
+
+bool sb_platform_pair_exact(const struct sb_variant *a, const struct sb_variant *b)
+{
+    const bool one_origin = (a->value[SB_AXIS_SPACE] == SB_SPACE_EYE) ==
+                            (b->value[SB_AXIS_SPACE] == SB_SPACE_EYE);
+    return sb_platform_class_exact(a) &&
+           (one_origin || a->value[SB_AXIS_MAPS] == SB_MAPS_NONE);
+}

@@ -41,3 +41,8 @@ bool sb_platform_undefined(const struct sb_variant *variant);
 // Must variants of one equivalence class draw the same picture? At highp, with every
 // f_… robust and offset=0 they must; elsewhere rounding may take them apart.
 bool sb_platform_class_exact(const struct sb_variant *variant);
+
+// Must these two of one class? Where the class must, unless textures are filtered and only one of
+// them has its origin at the eye: what is interpolated then differs in its last bits, and a
+// driver's filter takes steps (8 bits of weight on llvmpipe).
+bool sb_platform_pair_exact(const struct sb_variant *a, const struct sb_variant *b);

@@ -229,7 +229,7 @@ void sb_check_class(struct sb_task *task, struct sb_task *other,
         .other_id = other->entry->id,
         .picture = &mine,
         .other = &theirs,
-        .exact = sb_platform_class_exact(&task->entry->variant),
+        .exact = sb_platform_pair_exact(&task->entry->variant, &other->entry->variant),
     };
     if (!small_picture(task, driver, 0, 0, &mine, &err) ||
         !small_picture(other, driver, 0, 0, &theirs, &err) ||

@@ -24,7 +24,7 @@ void sb_check_lights(struct sb_task *task, const struct sb_prepare_params *param
 struct sb_class_pair { // pictures, of one shape, of two variants of a class
     const char *id, *other_id;
     const struct sb_image *picture, *other;
-    bool exact; // sb_platform_class_exact: they must agree
+    bool exact; // sb_platform_pair_exact: they must agree
 };
 // *spread is raised to the largest difference (NAN: there was none yet). SB_CLASS_BROKEN, with
 // both variants, the pixel and both values, where an exact pair differs by more than the bound.

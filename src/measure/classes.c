@@ -47,12 +47,13 @@ static void compare(struct verify *verify, struct sb_task *task, struct sb_class
 {
     struct sb_error err = {0};
     struct sb_image picture = {0};
+    const struct sb_plan_entry *first = &verify->params->suite->entry[class->first];
     const struct sb_class_pair pair = {
         .id = task->entry->id,
-        .other_id = verify->params->suite->entry[class->first].id,
+        .other_id = first->id,
         .picture = &picture,
         .other = &verify->picture,
-        .exact = class->exact,
+        .exact = sb_platform_pair_exact(&first->variant, &task->entry->variant),
     };
     if (!draw(verify, task, &picture, &err) ||
         !sb_check_pair(&pair, &class->spread, &err))

@@ -33,8 +33,10 @@ uint64_t sb_ref_ideal_key(const struct sb_axes *axes, const struct sb_variant *v
         if (axes->row[a].kind == SB_SCENE && !is_unseen(a) &&
             (a != SB_AXIS_TESSELLATION || !sphere))
             key = add(key, variant, a);
-    // What a slip does depends on the space, and floats differ between ways of hoisting.
-    if (variant->value[SB_AXIS_TEXT] == SB_TEXT_AS_WRITTEN)
+    // What a slip does depends on the space, and floats differ between ways of hoisting and
+    // between origins.
+    if (variant->value[SB_AXIS_TEXT] == SB_TEXT_AS_WRITTEN ||
+        variant->value[SB_AXIS_SPACE] == SB_SPACE_EYE)
         key = add(key, variant, SB_AXIS_SPACE);
     return add(key, variant, SB_AXIS_HOIST);
 }

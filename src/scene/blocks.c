@@ -103,7 +103,7 @@ void sb_scene_blocks(struct sb_scene *scene, const struct sb_variant *variant)
     const double rest = triangles - 12 * BLOCKS * cells * cells;
     const int squares = (int)fmax(1, round(sqrt(fmax(rest, 0) / 2)));
 
-    const struct sb_placement place = sb_placement_of(variant);
+    const struct sb_placement place = sb_placement_of(variant, eye);
     const struct sb_mesh mesh[2] = {
         sb_mesh_cube(&scene->arena, (int)cells),
         sb_mesh_plane(&scene->arena, SIDE, SIDE, squares, squares),

@@ -136,7 +136,7 @@ static int cells_of(double triangles)
 void sb_scene_containers(struct sb_scene *scene, const struct sb_variant *variant)
 {
     const struct sb_material material = material_of(variant);
-    const struct sb_placement place = sb_placement_of(variant);
+    const struct sb_placement place = sb_placement_of(variant, eye);
     const struct sb_mesh mesh =
         sb_mesh_cube(&scene->arena, cells_of(sb_triangles_wanted(variant, 12 * CUBES)));
     struct sb_draw draw[CUBES];

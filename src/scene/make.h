@@ -8,13 +8,15 @@
 #define SB_DEGREE       (SB_PI / 180)
 #define SB_GOLDEN_ANGLE 2.39996322972865332 // its multiples spread evenly over the circle
 
-// --- the axes that place a scene: p becomes p * scale + offset (1, 1, 1) ---------------
+// --- the axes that place a scene: p becomes p * scale + offset (1, 1, 1) - origin -------
 
 struct sb_placement {
     double scale, offset;
-    double aspect; // of the target, width to height
+    struct sb_vec3 origin; // space=eye: the eye, scaled and moved; else 0
+    double aspect;         // of the target, width to height
 };
-struct sb_placement sb_placement_of(const struct sb_variant *variant);
+// The eye is that of the scene's sb_camera_params.
+struct sb_placement sb_placement_of(const struct sb_variant *variant, struct sb_vec3 eye);
 // Triangles asked for, or where the variant asks for none the scene's own number.
 double sb_triangles_wanted(const struct sb_variant *variant, double own);
 struct sb_vec3 sb_placed(const struct sb_placement *place, struct sb_vec3 point);

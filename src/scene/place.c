@@ -4,13 +4,16 @@
 
 #define LAMP_SIZE 0.2 // of the cube that shows a point light
 
-struct sb_placement sb_placement_of(const struct sb_variant *variant)
+struct sb_placement sb_placement_of(const struct sb_variant *variant, struct sb_vec3 eye)
 {
-    return (struct sb_placement){
+    struct sb_placement place = {
         .scale = variant->value[SB_AXIS_SCALE],
         .offset = variant->value[SB_AXIS_OFFSET],
         .aspect = variant->value[SB_AXIS_WIDTH] / variant->value[SB_AXIS_HEIGHT],
     };
+    if (variant->value[SB_AXIS_SPACE] == SB_SPACE_EYE)
+        place.origin = sb_placed(&place, eye);
+    return place;
 }
 
 double sb_triangles_wanted(const struct sb_variant *variant, double own)
@@ -19,10 +22,13 @@ double sb_triangles_wanted(const struct sb_variant *variant, double own)
     return wanted > 0 ? wanted : own;
 }
 
+// Moved first and taken back then, as a program does whose world is kept in double: what the
+// offset costs in double is part of the answer.
 struct sb_vec3 sb_placed(const struct sb_placement *place, struct sb_vec3 point)
 {
     const struct sb_vec3 offset = {place->offset, place->offset, place->offset};
-    return sb_vec3_add(sb_vec3_scale(point, place->scale), offset);
+    return sb_vec3_sub(sb_vec3_add(sb_vec3_scale(point, place->scale), offset),
+                       place->origin);
 }
 
 static void store(float *out, const double *in, int count)
@@ -57,10 +63,12 @@ struct sb_camera sb_camera_make(const struct sb_placement *place,
 struct sb_draw sb_draw_make(const struct sb_placement *place, int mesh, int material,
                             struct sb_mat4 model)
 {
-    const struct sb_vec3 offset = {place->offset, place->offset, place->offset};
-    const struct sb_mat4 placed =
-        sb_mat4_multiply(sb_mat4_translation(offset),
-                         sb_mat4_multiply(sb_mat4_scaling(place->scale), model));
+    struct sb_mat4 placed = sb_mat4_multiply(sb_mat4_scaling(place->scale), model);
+    const struct sb_vec3 at =
+        sb_placed(place, (struct sb_vec3){model.m[12], model.m[13], model.m[14]});
+    placed.m[12] = at.x;
+    placed.m[13] = at.y;
+    placed.m[14] = at.z;
     const struct sb_mat3 normal = sb_mat4_normal_matrix(placed);
     struct sb_draw draw = {.mesh = mesh, .material = material, .lamp = -1};
     store(draw.model, placed.m, 16);
@@ -111,7 +119,7 @@ void sb_scene_fill(struct sb_scene *scene, const struct sb_scene_parts *parts,
                    const struct sb_variant *variant)
 {
     struct sb_arena *arena = &scene->arena;
-    const struct sb_placement place = sb_placement_of(variant);
+    const struct sb_placement place = sb_placement_of(variant, parts->camera.eye);
     struct sb_vec3 ambient = {parts->ambient, parts->ambient, parts->ambient};
     struct sb_vec3 clear = {parts->clear, parts->clear, parts->clear};
     sb_background_tint(&ambient, &clear, variant);

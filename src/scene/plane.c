@@ -1,6 +1,8 @@
 // A corridor seen from inside: subway lights of limited reach along both of its walls.
 #include "scene/make.h"
 
+static const struct sb_vec3 eye = {0, 0, 0};
+
 static const struct sb_corridor corridor = {.half = 2, .near_z = 1, .far_z = -23};
 
 static struct sb_light_params dir_light(int i)
@@ -64,7 +66,7 @@ static struct sb_light_params area_light(int i)
 
 void sb_scene_plane(struct sb_scene *scene, const struct sb_variant *variant)
 {
-    const struct sb_placement place = sb_placement_of(variant);
+    const struct sb_placement place = sb_placement_of(variant, eye);
     struct sb_mesh mesh[SB_CORRIDOR_MESHES];
     struct sb_draw draw[SB_CORRIDOR_DRAWS];
     sb_corridor_make(&corridor, sb_triangles_wanted(variant, 200), &scene->arena, mesh);
@@ -79,7 +81,8 @@ void sb_scene_plane(struct sb_scene *scene, const struct sb_variant *variant)
                       .draw_count = SB_CORRIDOR_DRAWS,
                       .ambient = 0.2, // the page's scene_ambient
                       .clear = 0.1,
-                      .camera = {.target = {0, 0, -1},
+                      .camera = {.eye = eye,
+                                 .target = {0, 0, -1},
                                  .fov = 45 * SB_DEGREE,
                                  .near = 0.1,
                                  .far = 100},

@@ -158,7 +158,7 @@ void sb_scene_room(struct sb_scene *scene, const struct sb_variant *variant)
         .specular = {0.3f, 0.3f, 0.3f},
         .shininess = 24,
     };
-    const struct sb_placement place = sb_placement_of(variant);
+    const struct sb_placement place = sb_placement_of(variant, eye);
     struct sb_mesh mesh[MESHES];
     struct sb_draw draw[WALLS + CUBES];
     make_meshes(mesh, &scene->arena, sb_triangles_wanted(variant, 800));

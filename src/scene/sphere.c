@@ -65,7 +65,7 @@ void sb_scene_sphere(struct sb_scene *scene, const struct sb_variant *variant)
     };
     int stacks, slices;
     sb_sphere_cells(sb_triangles_wanted(variant, 500), &stacks, &slices);
-    const struct sb_placement place = sb_placement_of(variant);
+    const struct sb_placement place = sb_placement_of(variant, eye());
     struct sb_mesh mesh = sb_mesh_sphere(&scene->arena, stacks, slices);
     mesh.sphere = true; // so that its triangles are an error that can be measured
     const struct sb_draw draw = sb_draw_make(&place, 0, 0, sb_mat4_scaling(1));

@@ -74,7 +74,7 @@ static struct sb_light_params area_light(int i)
 
 void sb_scene_spheres(struct sb_scene *scene, const struct sb_variant *variant)
 {
-    const struct sb_placement place = sb_placement_of(variant);
+    const struct sb_placement place = sb_placement_of(variant, eye);
     int stacks, slices;
     sb_sphere_cells(sb_triangles_wanted(variant, 500 * SPHERES) / SPHERES, &stacks,
                     &slices);

@@ -82,7 +82,7 @@ static struct sb_light_params area_light(int i)
 
 void sb_scene_tunnel(struct sb_scene *scene, const struct sb_variant *variant)
 {
-    const struct sb_placement place = sb_placement_of(variant);
+    const struct sb_placement place = sb_placement_of(variant, eye);
     struct sb_mesh mesh[SB_CORRIDOR_MESHES];
     struct sb_draw draw[SB_CORRIDOR_DRAWS];
     sb_corridor_make(&corridor, sb_triangles_wanted(variant, 800), &scene->arena, mesh);

@@ -92,6 +92,7 @@ static const char *const variants[] = {
     "dir=4 point=4 spot=4 hoist=per_light layout=unified maps=specular",
     MIX "hoist=per_light cone=hard space=view",
     MIX "space=view",
+    MIX "space=eye offset=1e6",
     MIX "normalise=off",
     MIX "layout=unified",
     MIX "layout=unified loop=padded capacity=6 storage=ubo_std140",
