@@ -65,7 +65,7 @@ static void a_function_of_several_operations_is_taken_apart(void **state)
                     "void main() { o_color = vec4(normalize(m * v), 1.0); }\n",
                SB_LOWP_AS_MEDIUMP, 4, "sb_normalize_16(sb_mul_16(sb_round_16(m)");
     check_text(HEAD "in float x;\nvoid main() { o_color = vec4(pow(x, 2.0)); }\n",
-               SB_LOWP_AS_MEDIUMP, 2, "exp2(sb_round_16(y * sb_round_16(log2(x");
+               SB_LOWP_AS_MEDIUMP, 2, "sb_exp2_16(sb_round_16(y * sb_log2_16(x");
 }
 
 static void a_highp_value_is_rounded_when_a_mediump_variable_takes_it(void **state)

@@ -36,6 +36,7 @@ static struct sb_emulate_rules rules_of(const struct sb_variant *variant)
         .saturate = value[SB_AXIS_EMULATE_OVERFLOW] == SB_EMULATE_OVERFLOW_SATURATE,
         .flush = value[SB_AXIS_EMULATE_SUBNORMALS] == SB_EMULATE_SUBNORMALS_FLUSH,
         .towards_zero = value[SB_AXIS_EMULATE_ROUNDING] == SB_EMULATE_ROUNDING_ZERO,
+        .allowed_error = value[SB_AXIS_EMULATE_BUILTINS] == SB_EMULATE_BUILTINS_ALLOWED,
     };
 }
 

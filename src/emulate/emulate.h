@@ -15,6 +15,19 @@ struct sb_emulate_rules {
     bool saturate;     // overflow gives the largest finite number, not infinity
     bool flush;        // subnormal results become 0
     bool towards_zero; // rounding; else to nearest even
+
+    // Built-in functions of binary16 miss by the largest error that Vulkan allows half floats
+    // ("Precision of core SPIR-V instructions"), and are rounded then; else only rounded:
+    //   log2          2^-7 for x in [1/2, 2], else 3 ulp; too small, so that pow is too dark
+    //   exp2          1 + 2 |x| ulp, too small likewise, not below 0
+    //   pow           by exp2(y * log2(x))
+    //   inversesqrt   2 ulp, too large: normalize gives vectors longer than 1
+    //   sqrt          by 1 / inversesqrt(x), too small
+    //   sin, cos      2^-7, away from 0: past 1, where 1 - sin^2 has no root. Vulkan allows it in
+    //                 [-pi, pi] and says nothing of the rest
+    // ulp: of the result, at least 2^-24. All that are built on them inherit it: length, distance,
+    // normalize, refract. Fixed point has no such table, and is only rounded.
+    bool allowed_error;
 };
 
 struct sb_emulate_params {

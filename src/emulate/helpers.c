@@ -66,12 +66,32 @@ static const char vectors[] =
     "highp float sb_normalize@(const highp float x)\n"
     "{\n    return sign(x);\n}\n";
 
+// The built-in functions whose error is a rule, and how each misses the true `r`.
+static const struct {
+    const char *name, *missed;
+} builtins[] = {
+    {"log2", "r - (x >= 0.5 && x <= 2.0 ? 0.0078125 : 3.0 * sb_ulp_16(r))"},
+    // Not below 0. Without the bound on x infinity would be subtracted from infinity.
+    {"exp2", "r - min((1.0 + 2.0 * min(abs(x), 32.0)) * sb_ulp_16(r), r)"},
+    {"inversesqrt", "r + 2.0 * sb_ulp_16(r)"},
+    {"sqrt", "1.0 / sb_inversesqrt_16(x)"},
+    {"sin", "r < 0.0 ? r - 0.0078125 : r + 0.0078125"},
+    {"cos", "r < 0.0 ? r - 0.0078125 : r + 0.0078125"},
+};
+
+// The place of the last bit of the binary16 next to y, which for infinity and NaN is as good as
+// any other.
+static const char ulp_16[] =
+    "highp float sb_ulp_16(const highp float y)\n"
+    "{\n    highp uint exponent = (floatBitsToUint(y) >> 23u) & 255u;\n"
+    "    return uintBitsToFloat((clamp(exponent, 113u, 142u) - 10u) << 23u);\n}\n";
+
 // GLSL ES 3.00, 8.4: of two vectors or more components.
 static const char of_vector[] =
     "highp float sb_length@(const highp $ v)\n"
-    "{\n    return sb_round@(sqrt(sb_dot@(v, v)));\n}\n"
+    "{\n    return sb_sqrt@(sb_dot@(v, v));\n}\n"
     "highp $ sb_normalize@(const highp $ v)\n"
-    "{\n    return sb_round@(v * sb_round@(inversesqrt(sb_dot@(v, v))));\n}\n"
+    "{\n    return sb_round@(v * sb_inversesqrt@(sb_dot@(v, v)));\n}\n"
     "highp $ sb_faceforward@(const highp $ n, const highp $ i, const highp $ reference)\n"
     "{\n    return sb_dot@(reference, i) < 0.0 ? n : -n;\n}\n"
     "highp $ sb_reflect@(const highp $ i, const highp $ n)\n"
@@ -80,7 +100,7 @@ static const char of_vector[] =
     "{\n    highp float d = sb_dot@(n, i);\n"
     "    highp float s = sb_round@(1.0 - sb_round@(d * d));\n"
     "    highp float k = sb_round@(1.0 - sb_round@(sb_round@(eta * eta) * s));\n"
-    "    highp float t = sb_round@(sb_round@(eta * d) + sb_round@(sqrt(k)));\n"
+    "    highp float t = sb_round@(sb_round@(eta * d) + sb_sqrt@(k));\n"
     "    return k < 0.0 ? $(0.0) : sb_round@(sb_round@(eta * i) - sb_round@(t * "
     "n));\n}\n";
 
@@ -94,7 +114,7 @@ static const char of_any[] =
     "    highp $ t = clamp(sb_round@(sb_round@(x - a) / sb_round@(b - a)), 0.0, 1.0);\n"
     "    return sb_round@(sb_round@(t * t) * sb_round@(3.0 - sb_round@(2.0 * t)));\n}\n"
     "highp $ sb_pow@(const highp $ x, const highp $ y)\n"
-    "{\n    return sb_round@(exp2(sb_round@(y * sb_round@(log2(x)))));\n}\n"
+    "{\n    return sb_exp2@(sb_round@(y * sb_log2@(x)));\n}\n"
     "highp $ sb_mod@(const highp $ x, const highp $ y)\n"
     "{\n    return sb_round@(x - sb_round@(y * floor(sb_round@(x / y))));\n}\n"
     "highp $ sb_fma@(const highp $ a, const highp $ b, const highp $ c)\n"
@@ -153,10 +173,35 @@ static void add_product(struct sb_text *text, const char *suffix, int c, int r, 
     sb_text_add(text, ");\n}\n");
 }
 
-static void add_formulas(struct sb_text *text, const char *suffix)
+static void add_builtins(struct sb_text *text, const char *suffix, bool allowed_error)
+{
+    if (allowed_error)
+        sb_text_add(text, ulp_16);
+    for (size_t i = 0; i < sizeof builtins / sizeof *builtins; i++) {
+        const char *name = builtins[i].name;
+        sb_text_printf(text,
+                       "highp float sb_%s%s(const highp float x)\n"
+                       "{\n    highp float r = %s(x);\n    return sb_round%s(%s);\n}\n",
+                       name, suffix, name, suffix,
+                       allowed_error ? builtins[i].missed : "r");
+        for (int n = 2; n <= 4; n++) {
+            sb_text_printf(text,
+                           "highp vec%d sb_%s%s(const highp vec%d v)\n"
+                           "{\n    return vec%d(",
+                           n, name, suffix, n, n);
+            for (int c = 0; c < n; c++)
+                sb_text_printf(text, "%ssb_%s%s(v.%c)", c ? ", " : "", name, suffix,
+                               "xyzw"[c]);
+            sb_text_add(text, ");\n}\n");
+        }
+    }
+}
+
+static void add_formulas(struct sb_text *text, const char *suffix, bool allowed_error)
 {
     static const char *const types[] = {"float", "vec2", "vec3", "vec4"};
     add_with(text, vectors, suffix, "");
+    add_builtins(text, suffix, allowed_error);
     for (int i = 1; i < 4; i++)
         add_with(text, of_vector, suffix, types[i]);
     for (int i = 0; i < 4; i++)
@@ -177,9 +222,9 @@ void sb_emulate_helpers(const struct sb_emulate_rules *rules, struct sb_text *te
                       : rules->towards_zero ? overflow_zero
                                             : overflow_infinity);
     sb_text_add(text, round_16_tail);
-    add_formulas(text, SB_ROUND_16);
+    add_formulas(text, SB_ROUND_16, rules->allowed_error);
     if (rules->lowp == SB_LOWP_FIXED10) {
         sb_text_printf(text, round_10, rules->towards_zero ? "trunc" : "roundEven");
-        add_formulas(text, SB_ROUND_10);
+        add_formulas(text, SB_ROUND_10, false);
     }
 }

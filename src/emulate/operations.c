@@ -65,7 +65,7 @@ static const struct sb_operation operations[] = {
 };
 
 // determinant, inverse and the transcendental functions: the result alone, which is the best
-// that hardware may do.
+// that hardware may do. Those that have a function may be worse (sb_emulate_rules).
 static const struct sb_operation functions[] = {
     {GLSLstd450Round, SB_CHANGE, 5, 1, NULL},
     {GLSLstd450RoundEven, SB_CHANGE, 5, 1, NULL},
@@ -84,8 +84,8 @@ static const struct sb_operation functions[] = {
     {GLSLstd450Fract, SB_ROUND, 5, 1, NULL},
     {GLSLstd450Radians, SB_ROUND, 5, 1, NULL},
     {GLSLstd450Degrees, SB_ROUND, 5, 1, NULL},
-    {GLSLstd450Sin, SB_ROUND, 5, 1, NULL},
-    {GLSLstd450Cos, SB_ROUND, 5, 1, NULL},
+    {GLSLstd450Sin, SB_EXPAND, 5, 1, "sb_sin"},
+    {GLSLstd450Cos, SB_EXPAND, 5, 1, "sb_cos"},
     {GLSLstd450Tan, SB_ROUND, 5, 1, NULL},
     {GLSLstd450Asin, SB_ROUND, 5, 1, NULL},
     {GLSLstd450Acos, SB_ROUND, 5, 1, NULL},
@@ -99,10 +99,10 @@ static const struct sb_operation functions[] = {
     {GLSLstd450Atan2, SB_ROUND, 5, 2, NULL},
     {GLSLstd450Exp, SB_ROUND, 5, 1, NULL},
     {GLSLstd450Log, SB_ROUND, 5, 1, NULL},
-    {GLSLstd450Exp2, SB_ROUND, 5, 1, NULL},
-    {GLSLstd450Log2, SB_ROUND, 5, 1, NULL},
-    {GLSLstd450Sqrt, SB_ROUND, 5, 1, NULL},
-    {GLSLstd450InverseSqrt, SB_ROUND, 5, 1, NULL},
+    {GLSLstd450Exp2, SB_EXPAND, 5, 1, "sb_exp2"},
+    {GLSLstd450Log2, SB_EXPAND, 5, 1, "sb_log2"},
+    {GLSLstd450Sqrt, SB_EXPAND, 5, 1, "sb_sqrt"},
+    {GLSLstd450InverseSqrt, SB_EXPAND, 5, 1, "sb_inversesqrt"},
     {GLSLstd450Determinant, SB_ROUND, 5, 1, NULL},
     {GLSLstd450MatrixInverse, SB_ROUND, 5, 1, NULL},
     {GLSLstd450Ldexp, SB_ROUND, 5, 1, NULL},

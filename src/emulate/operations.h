@@ -9,7 +9,7 @@ enum sb_operation_kind {
     SB_CHANGE,  // exact in binary16, but may leave the range of fixed point: -(-2)
     SB_COMPARE, // the result is no float
     SB_ROUND,   // the result is rounded
-    SB_EXPAND   // a function stands for it, which rounds all its operations
+    SB_EXPAND // a function stands for it, which rounds, all its operations where it has several
 };
 
 struct sb_operation {

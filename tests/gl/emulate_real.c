@@ -263,6 +263,100 @@ static void operations_are_those_of_binary16(void **state)
     }
 }
 
+// --- the error that Vulkan allows ---
+
+static double ulp_half(double y)
+{
+    int exponent;
+    frexp(y, &exponent);
+    return ldexp(1, (exponent > -13 ? exponent : -13) - 11);
+}
+
+// What is wrong with log2, exp2, inversesqrt and sin, in double.
+static void missed(const float x[4], const struct sb_emulate_rules *rules, double out[4])
+{
+    const double l = log2(x[0]), e = exp2(x[1]), i = 1 / sqrt(x[2]), s = sin(x[3]);
+    const double by[4] = {
+        x[0] >= 0.5 && x[0] <= 2 ? -0x1p-7 : -3 * ulp_half(l),
+        -(1 + 2 * fabs(x[1])) * ulp_half(e),
+        2 * ulp_half(i),
+        s < 0 ? -0x1p-7 : 0x1p-7,
+    };
+    out[0] = round_half(l + by[0], rules);
+    out[1] = round_half(fmax(e + by[1], 0), rules);
+    out[2] = round_half(i + by[2], rules);
+    out[3] = round_half(s + by[3], rules);
+}
+
+// A driver's own functions are not exact: a result next to a tie may go the other way, and so may
+// the ulp next to a power of two.
+static void builtins_miss_by_the_largest_error_that_is_allowed(void **state)
+{
+    (void)state;
+    const struct sb_emulate_rules rules = {.allowed_error = true};
+    fill_input(any_half);
+    for (int i = 0; i < PIXELS; i++) {
+        input[i][0] = fabsf(input[i][0]) + 0x1p-14f;
+        input[i][1] = fminf(fmaxf(input[i][1], -24), 15);
+        input[i][2] = fabsf(input[i][2]) + 0x1p-14f;
+        input[i][3] = fminf(fmaxf(input[i][3], -3), 3);
+        for (int c = 0; c < 4; c++)
+            input[i][c] = (float)round_half(input[i][c], &(struct sb_emulate_rules){0});
+    }
+    draw_emulated(fragment_of("    mediump vec4 m = t;\n"
+                              "    mediump float l = log2(m.x), e = exp2(m.y);\n"
+                              "    mediump vec2 i = inversesqrt(m.zz), s = sin(m.ww);\n"
+                              "    highp vec4 wide = vec4(l, e, i.y, s.x);\n"
+                              "    o_bits = floatBitsToUint(wide);\n"),
+                  &rules, emulated_bits);
+    int beside = 0;
+    for (int i = 0; i < PIXELS; i++) {
+        double wanted[4];
+        missed(input[i], &rules, wanted);
+        for (int c = 0; c < 4; c++) {
+            const double got = float_of(emulated_bits[i][c]);
+            beside += got != wanted[c];
+            if (!(fabs(got - wanted[c]) <= (c == 1 ? 64 : 4) * ulp_half(wanted[c])))
+                fail_msg("%d of %a: %a, not %a", c, input[i][c], got, wanted[c]);
+        }
+    }
+    assert_in_range(beside, 0, 4 * PIXELS / 100);
+}
+
+// log2, pow, sqrt and normalize of 1, in mediump and in highp.
+static void only_reduced_precision_misses(void **state)
+{
+    (void)state;
+    static const char *const words[] = {"mediump", "highp"};
+    for (int i = 0; i < PIXELS; i++)
+        for (int c = 0; c < 4; c++)
+            input[i][c] = 1;
+    for (int precision = 0; precision < 2; precision++)
+        for (int allowed = 0; allowed < 2; allowed++) {
+            char body[512];
+            snprintf(body, sizeof body,
+                     "    %s vec4 m = t;\n"
+                     "    %s float l = log2(m.x), p = pow(m.x, m.y * 64.0);\n"
+                     "    %s float s = sqrt(m.x), n = normalize(vec2(m.x, 0.0)).x;\n"
+                     "    highp vec4 wide = vec4(l, p, s, n);\n"
+                     "    o_bits = floatBitsToUint(wide);\n",
+                     words[precision], words[precision], words[precision]);
+            draw_emulated(fragment_of(body),
+                          &(struct sb_emulate_rules){.allowed_error = allowed},
+                          emulated_bits);
+            const bool wrong = allowed && precision == 0;
+            const uint32_t *got = emulated_bits[0];
+            assert_true(float_of(got[0]) == (wrong ? -0x1p-7f : 0));
+            // 2^(-64/128), less 1 + 2/2 ulp.
+            check_close(float_of(got[1]), wrong ? sqrt(0.5) - 2 * 0x1p-11 : 1,
+                        wrong ? 0x1p-12 : 1e-6);
+            check_close(float_of(got[2]), wrong ? 1 - 2 * 0x1p-10 : 1,
+                        wrong ? 0x1p-12 : 1e-6);
+            check_close(float_of(got[3]), wrong ? 1 + 2 * 0x1p-10 : 1,
+                        wrong ? 0x1p-12 : 1e-6);
+        }
+}
+
 // --- against a driver ---
 
 // Of the others the share that differs is printed. Two operations at least: Mesa does a single one
@@ -432,6 +526,8 @@ int main(void)
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_rule_rounds_as_it_says),
         cmocka_unit_test(operations_are_those_of_binary16),
+        cmocka_unit_test(builtins_miss_by_the_largest_error_that_is_allowed),
+        cmocka_unit_test(only_reduced_precision_misses),
         cmocka_unit_test(uniforms_and_attributes_are_found_by_their_names),
         cmocka_unit_test(members_of_blocks_are_found_by_their_names),
         cmocka_unit_test(chains_of_exact_operations_are_bit_equal_to_real_half_floats),
