@@ -192,7 +192,7 @@ static bool is_valid(const char *words)
     struct sb_assembly assembly;
     struct sb_error err = {0};
     const bool good =
-        assemble_from(&from, &assembly, &err) && sb_assembly_validate(&assembly, &err);
+        assemble_from(&from, &assembly, &err) && validate_in_sweep(&assembly, &err);
     if (!good)
         print_error("%s: %s\n", words, err.text);
     sb_assembly_free(&assembly);

@@ -235,7 +235,7 @@ static void every_program_with_shadows_is_valid_glsl(void **state)
                 snprintf(words, sizeof words, "%s point=3 shadows=2 dir=1 %s %s",
                          versions[v], maps[m], qualities[q]);
                 assemble(words, &assembly);
-                if (!sb_assembly_validate(&assembly, &err))
+                if (!validate_in_sweep(&assembly, &err))
                     fail_msg("%s: %s", words, err.text);
                 sb_assembly_free(&assembly);
             }
