@@ -43,12 +43,14 @@ install_missing() {
     rm -f "$log"
 }
 
-# build PRESET [CMAKE ARGUMENT...]: configures and builds, quietly unless it fails.
+# build PRESET [CMAKE ARGUMENT...]: configures and builds, quietly unless it fails: all, or $target.
+target=""
 build() {
     preset=$1
     shift
     log=$(mktemp)
-    if ! { cmake --preset "$preset" "$@" && cmake --build --preset "$preset"; } >"$log" 2>&1; then
+    if ! { cmake --preset "$preset" "$@" &&
+        cmake --build --preset "$preset" ${target:+--target "$target"}; } >"$log" 2>&1; then
         cat "$log" >&2
         rm -f "$log"
         echo "building preset $preset failed" >&2
