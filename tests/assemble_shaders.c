@@ -7,19 +7,11 @@
 
 enum { VALUES = 8 };
 
-#define FORM(name)                                                                       \
-    {                                                                                    \
-        name,                                                                            \
-        {                                                                                \
-            "robust", "naive"                                                            \
-        }                                                                                \
-    }
 static const struct choice {
     const char *axis;
     const char *value[VALUES];
 } choices[] = {
     {"glsl", {"330", "450", "300es", "310es", "100"}},
-    {"target", {"rgba8", "rgba16f"}},
     {"dir", {"0", "1", "3"}},
     {"point", {"0", "2", "4"}},
     {"spot", {"0", "1", "3"}},
@@ -45,14 +37,14 @@ static const struct choice {
     {"p_sampler", {"highp", "mediump", "lowp"}},
     {"normalise", {"on", "off"}},
     {"normal_store", {"rgb", "rg"}},
-    FORM("f_unit"),
-    FORM("f_attenuation"),
-    FORM("f_cone"),
-    FORM("f_highlight"),
-    FORM("f_area"),
-    FORM("f_frame"),
-    FORM("f_output"),
-    FORM("f_shadow"),
+    {"f_unit", {"robust", "naive"}},
+    {"f_attenuation", {"robust", "naive"}},
+    {"f_cone", {"robust", "naive"}},
+    {"f_highlight", {"robust", "naive"}},
+    {"f_area", {"robust", "naive"}},
+    {"f_frame", {"robust", "naive"}},
+    {"f_output", {"robust", "naive"}},
+    {"f_shadow", {"robust", "naive"}},
     {"shadow_bias_kind", {"constant", "slope"}},
     {"shadow_filter", {"1", "4", "16"}},
     {"shadow_store", {"r8", "r16f", "r32f", "depth"}},
@@ -68,8 +60,7 @@ static const struct choice {
 };
 enum { CHOICES = sizeof choices / sizeof *choices };
 
-// What is refused with a reason, other than by the `needs` of the table; assemble_decide.c
-// has the messages.
+// What is refused other than by `needs`; assemble_decide.c has the messages.
 static const char *const refused[] = {
     "glsl=100,loop=dynamic",
     "glsl=100,shadows>0",
@@ -264,8 +255,7 @@ static void every_two_values_of_two_choices_make_a_valid_program(void **state)
     assert_in_range(apart, 1, pairs / 25);
 }
 
-// The three choices that reach into each other most: all of their programs, with versions and
-// other choices by turns.
+// The three choices that reach into each other most, with versions and others by turns.
 static void every_layout_storage_and_loop_go_together(void **state)
 {
     (void)state;

@@ -290,6 +290,14 @@ static void both_sides_of_a_triangle_stop_rays_and_the_limits_count(void **state
         assert_true(sb_ref_geometry_hit(geometry, &ray) == 2);
         ray.near = 2.01;
         assert_false(sb_ref_geometry_blocked(geometry, &ray));
+        // Half way from the lower edge to the upper corner; the truth is 3.
+        double away;
+        ray.near = 0;
+        assert_true(sb_ref_geometry_corners_away(geometry, &ray, &away) == 2);
+        check_close(away, 0.5 * sqrt(1 + 1 + 9) + 0.5 * sqrt(1 + 9), 1e-15);
+        ray.far = 1.99;
+        assert_true(sb_ref_geometry_corners_away(geometry, &ray, &away) == INFINITY);
+        assert_true(away == INFINITY);
     }
     sb_ref_geometry_free(&geometry);
     sb_scene_free(&scene);

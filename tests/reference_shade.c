@@ -249,6 +249,23 @@ static void a_smooth_cone_is_a_ramp_from_the_outer_to_the_inner_cosine(void **st
     }
 }
 
+static void a_naive_smooth_cone_is_a_smoothstep(void **state)
+{
+    (void)state;
+    static const char *const words[] = {
+        "spot=1,cone=smooth,f_cone=naive",
+        "spot=1,cone=smooth,f_cone=naive,hoist=per_light"};
+    for (int h = 0; h < 2; h++) {
+        const double quarter = acos(cos(0.6) + (cos(0.3) - cos(0.6)) / 4);
+        check_close(spot(words[h], 0.29, 0.3, 0.6, 1).cone[0], 1, 0);
+        check_close(spot(words[h], quarter, 0.3, 0.6, 1).cone[0], 10.0 / 64, 1e-6);
+        check_close(spot(words[h], 0.61, 0.3, 0.6, 1).cone[0], 0, 0);
+        // Equal angles: a step.
+        check_close(spot(words[h], 0.499, 0.5, 0.5, 1).cone[0], 1, 0);
+        check_close(spot(words[h], 0.501, 0.5, 0.5, 1).cone[0], 0, 0);
+    }
+}
+
 // --- area lights ----------------------------------------------------------------------------
 
 static const char *const shapes[] = {"sphere", "tube", "box", "capsule"};
@@ -532,6 +549,7 @@ int main(void)
         cmocka_unit_test(an_exponent_is_a_power_of_the_cosine_inside_the_cone),
         cmocka_unit_test(a_linear_cone_falls_in_a_line_of_the_cosine),
         cmocka_unit_test(a_smooth_cone_is_a_ramp_from_the_outer_to_the_inner_cosine),
+        cmocka_unit_test(a_naive_smooth_cone_is_a_smoothstep),
         cmocka_unit_test(a_light_of_no_size_is_a_point_light),
         cmocka_unit_test(light_comes_from_the_nearest_point_of_a_shape),
         cmocka_unit_test(from_inside_a_light_there_is_no_way_to_it),

@@ -278,6 +278,12 @@ static void what_lies_beyond_the_range_is_not_lit(void **state)
     const double rim = sqrt(100 - 49);
     assert_true(shown_at(&world, rim * 0.9999, -2, 0) == 1);
     assert_true(shown_at(&world, rim * 1.0001, -2, 0) == 0);
+    // By a map the same: the bias lights nothing beyond the range, but for f_shadow=naive.
+    world.shading.ideal = false;
+    assert_true(shown_at(&world, rim * 0.999, -2, 0) == 1);
+    assert_true(shown_at(&world, rim * 1.0001, -2, 0) == 0);
+    world.variant.value[SB_AXIS_F_SHADOW] = SB_F_SHADOW_NAIVE;
+    assert_true(shown_at(&world, rim * 1.0001, -2, 0) == 1);
     world.shading.geometry = NULL; // no shadows at all
     assert_true(shown_at(&world, rim * 1.0001, -2, 0) == 1);
 }
