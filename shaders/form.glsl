@@ -4,6 +4,7 @@
 // neither.
 #define unit                 unit_$(F_UNIT)
 #define unit_difference      unit_difference_$(F_UNIT)
+#define vertex_normal        vertex_normal_$(F_UNIT)
 #define attenuation          attenuation_$(F_ATTENUATION)
 #define cone                 cone_$(F_CONE)
 #define specular_factor      specular_factor_$(F_HIGHLIGHT)

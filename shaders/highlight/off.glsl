@@ -6,5 +6,6 @@
 P_SPECULAR float cosine_power(P_VECTOR vec3 a, P_VECTOR vec3 b, P_SPECULAR float n)
 {
     P_SPECULAR float c = dot(a, b);
+    PROBE_RAW(TERM_SPECULAR, c)
     return NORM_POW(clamp(c, 0.0, 1.0), n);
 }

@@ -11,6 +11,7 @@ P_SPECULAR float cosine_power(P_VECTOR vec3 a, P_VECTOR vec3 b, P_SPECULAR float
     P_VECTOR vec3 across = cross(a, b);
     P_SPECULAR float s = dot(across, across);
     P_SPECULAR float c = dot(a, b);
+    PROBE_RAW(TERM_SPECULAR, c)
     P_SPECULAR float near = -0.72134752 * s * // half of log2(e)
         (1.0 + s * (0.5 + s * (0.33333333 + s * (0.25 + s * 0.2))));
     P_SPECULAR float log2_c = s < 0.125 ? near : log2(min(c, 1.0));

@@ -19,5 +19,6 @@ P_SPECULAR float specular_factor_naive(Surface surface, P_VECTOR vec3 to_light)
 {
     P_VECTOR vec3 half_vector = unit(to_light + view_of(surface));
     P_SPECULAR float c = dot(surface.normal, half_vector);
+    PROBE_RAW(TERM_SPECULAR, c)
     return NORM_TIMES(surface.shininess, pow(max(c, 0.0), surface.shininess));
 }

@@ -17,5 +17,6 @@ P_SPECULAR float specular_factor_robust(Surface surface, P_VECTOR vec3 to_light)
 P_SPECULAR float specular_factor_naive(Surface surface, P_VECTOR vec3 to_light)
 {
     P_SPECULAR float c = dot(reflect(-to_light, surface.normal), view_of(surface));
+    PROBE_RAW(TERM_SPECULAR, c)
     return NORM_TIMES(surface.shininess, pow(max(c, 0.0), surface.shininess));
 }

@@ -22,7 +22,7 @@ uniform highp int u_probe_light; // of the whole list
 
 highp mat3x4 probe_light = mat3x4(0.0); // u_probe_light's
 highp mat3x4 probe_now = PROBE_UNTOLD;  // of the light that is being added
-highp vec4 probe_bare = vec4(0.0); // its first terms, before a bound that hides what they are
+highp mat2x4 probe_bare = mat2x4(0.0); // its first terms, before a bound that hides what they are
 highp int probe_number = 0;        // of that light
 highp uint probe_nonfinite = 0u;
 highp int probe_negative = 0;
@@ -67,12 +67,13 @@ void probe_look()
 {
     highp uint bad = probe_bad(TERM_DISTANCE, probe_now[0][0]) |
                      probe_bad(TERM_ATTENUATION, probe_now[0][1]) |
-                     probe_bad(TERM_ATTENUATION, probe_bare[1]) |
+                     probe_bad(TERM_ATTENUATION, probe_bare[0][1]) |
                      probe_bad(TERM_CONE, probe_now[0][2]) |
-                     probe_bad(TERM_CONE, probe_bare[2]) |
+                     probe_bad(TERM_CONE, probe_bare[0][2]) |
                      probe_bad(TERM_SHOWN, probe_now[0][3]) |
                      probe_bad(TERM_N_DOT_L, probe_now[1][0]) |
                      probe_bad(TERM_SPECULAR, probe_now[1][1]) |
+                     probe_bad(TERM_SPECULAR, probe_bare[1][1]) |
                      probe_bad(TERM_DIRECTION, probe_now[1][2]) |
                      probe_bad(TERM_DIRECTION + 1, probe_now[1][3]) |
                      probe_bad(TERM_DIRECTION + 2, probe_now[2][0]) |
@@ -101,7 +102,7 @@ void probe_next_light()
         probe_light[2][3] = 1.0;
     }
     probe_now = PROBE_UNTOLD;
-    probe_bare = vec4(0.0);
+    probe_bare = mat2x4(0.0);
     probe_cuts = false;
     probe_reached = true;
     probe_number++;
@@ -144,7 +145,7 @@ void probe_tell()
 }
 
 #define PROBE_TERM(place, value) PROBE_AT(probe_now, place) = value;
-#define PROBE_RAW(place, value) probe_bare[place] = value;
+#define PROBE_RAW(place, value) PROBE_AT(probe_bare, place) = value;
 #define PROBE_DIRECTION(value) probe_put(probe_now, TERM_DIRECTION, value);
 #define PROBE_VIEW(value) probe_put(probe_frame, 6, value);
 #define PROBE_NORMAL(value) probe_put(probe_frame, 9, value);
