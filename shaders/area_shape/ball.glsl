@@ -31,5 +31,7 @@ P_POSITION vec3 ball_nearest_ray_naive(P_POSITION vec3 to_centre, P_POSITION flo
                                        P_POSITION vec3 ray)
 {
     P_POSITION vec3 to_ray = dot(to_centre, ray) * ray - to_centre;
-    return to_centre + to_ray * clamp(radius / length(to_ray), 0.0, 1.0);
+    P_POSITION float scale = radius / length(to_ray);
+    PROBE_RAW(TERM_DISTANCE, scale)
+    return to_centre + to_ray * clamp(scale, 0.0, 1.0);
 }

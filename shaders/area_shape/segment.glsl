@@ -18,6 +18,7 @@ P_POSITION vec3 segment_nearest_robust(P_POSITION vec3 to_centre, P_POSITION vec
 P_POSITION vec3 segment_nearest_naive(P_POSITION vec3 to_centre, P_POSITION vec3 half_axis)
 {
     P_POSITION float t = -dot(to_centre, half_axis) / dot(half_axis, half_axis);
+    PROBE_RAW(TERM_DISTANCE, t)
     return to_centre + clamp(t, -1.0, 1.0) * half_axis;
 }
 
@@ -46,5 +47,6 @@ P_POSITION vec3 segment_nearest_ray_naive(P_POSITION vec3 to_centre,
     P_POSITION float t =
         (dot(to_centre, ray) * axis_along - dot(to_centre, half_axis)) /
         (dot(half_axis, half_axis) - axis_along * axis_along);
+    PROBE_RAW(TERM_DISTANCE, t)
     return to_centre + clamp(t, -1.0, 1.0) * half_axis;
 }

@@ -22,7 +22,9 @@ uniform highp int u_probe_light; // of the whole list
 
 highp mat3x4 probe_light = mat3x4(0.0); // u_probe_light's
 highp mat3x4 probe_now = PROBE_UNTOLD;  // of the light that is being added
-highp mat2x4 probe_bare = mat2x4(0.0); // its first terms, before a bound that hides what they are
+// Its first terms, before bounds that hide what they are. A term that has several bounds has the sum
+// here, which is finite where all are.
+highp mat2x4 probe_bare = mat2x4(0.0);
 highp int probe_number = 0;        // of that light
 highp uint probe_nonfinite = 0u;
 highp int probe_negative = 0;
@@ -66,6 +68,7 @@ highp int probe_below(highp float value) // and finite: what is not counts as th
 void probe_look()
 {
     highp uint bad = probe_bad(TERM_DISTANCE, probe_now[0][0]) |
+                     probe_bad(TERM_DISTANCE, probe_bare[0][0]) |
                      probe_bad(TERM_ATTENUATION, probe_now[0][1]) |
                      probe_bad(TERM_ATTENUATION, probe_bare[0][1]) |
                      probe_bad(TERM_CONE, probe_now[0][2]) |
@@ -145,7 +148,7 @@ void probe_tell()
 }
 
 #define PROBE_TERM(place, value) PROBE_AT(probe_now, place) = value;
-#define PROBE_RAW(place, value) PROBE_AT(probe_bare, place) = value;
+#define PROBE_RAW(place, value) PROBE_AT(probe_bare, place) += value;
 #define PROBE_DIRECTION(value) probe_put(probe_now, TERM_DIRECTION, value);
 #define PROBE_VIEW(value) probe_put(probe_frame, 6, value);
 #define PROBE_NORMAL(value) probe_put(probe_frame, 9, value);
