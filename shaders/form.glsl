@@ -8,6 +8,7 @@
 #define attenuation          attenuation_$(F_ATTENUATION)
 #define cone                 cone_$(F_CONE)
 #define specular_factor      specular_factor_$(F_HIGHLIGHT)
+#define half_vector          half_vector_$(F_UNIT)
 #define schlick              schlick_$(F_HIGHLIGHT)
 #define ball_nearest         ball_nearest_$(F_AREA)
 #define ball_nearest_ray     ball_nearest_ray_$(F_AREA)

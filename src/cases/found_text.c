@@ -1,8 +1,18 @@
 // Findings of the search as C.
 #include <math.h>
+#include <stdio.h>
+#include <string.h>
 
 #include "cases/knobs.h"
 #include "cases/search.h"
+
+// A C literal: without a dot or an exponent the f would be an error.
+static void add_float(float value, struct sb_text *text)
+{
+    char number[32];
+    snprintf(number, sizeof number, "%.9g", (double)value);
+    sb_text_printf(text, " = %s%sf;\n", number, strpbrk(number, ".e") ? "" : ".0");
+}
 
 // The members that are not a plain point's.
 static void add_members(const struct sb_points *points, bool of_light,
@@ -22,7 +32,7 @@ static void add_members(const struct sb_points *points, bool of_light,
             sb_text_printf(text, "    %s%s", of_light ? "" : "point->", knob->name);
             if (knob->components > 1)
                 sb_text_printf(text, "[%d]", c);
-            sb_text_printf(text, " = %.9gf;\n", (double)value);
+            add_float(value, text);
         }
     sb_points_free(&plain);
 }

@@ -9,7 +9,8 @@
     {"light->" #member, true, offsetof(struct sb_light, member), components, low, high, sign, zero}
 
 // Lengths from a thousandth of a unit to a thousand, so that most pairs of points can be told apart
-// in binary32; angles from a thousandth of a degree.
+// in binary32; angles from a thousandth of a degree; exponents from 1, below which the power of a
+// cosine is nearly a step.
 const struct sb_knob sb_knobs[] = {
     OF_POINT(position,           3, 1e-3, 1e3,   true,  true),
     OF_POINT(normal,             3, 1e-3, 1,     true,  true),
@@ -18,12 +19,12 @@ const struct sb_knob sb_knobs[] = {
     OF_POINT(bitangent,          3, 1e-3, 1,     true,  true),
     OF_POINT(material.diffuse,   3, 1e-3, 1,     false, true),
     OF_POINT(material.specular,  3, 1e-3, 1,     false, true),
-    OF_POINT(material.shininess, 1, 1e-3, 1e6,   false, false),
+    OF_POINT(material.shininess, 1, 1, 1e6,   false, false),
     OF_POINT(texel[SB_MAP_NORMAL], 3, 1e-3, 1,   false, true),
     OF_LIGHT(position,           3, 1e-3, 1e3,   true,  true),
     OF_LIGHT(direction,          3, 1e-3, 1,     true,  true),
-    OF_LIGHT(diffuse,            3, 1e-3, 1e2,   false, true),
-    OF_LIGHT(specular,           3, 1e-3, 1e2,   false, true),
+    OF_LIGHT(diffuse,            3, 1e-3, 1,     false, true),
+    OF_LIGHT(specular,           3, 1e-3, 1,     false, true),
     OF_LIGHT(constant,           1, 1e-6, 1e3,   false, true),
     OF_LIGHT(linear,             1, 1e-6, 1e3,   false, true),
     OF_LIGHT(quadratic,          1, 1e-6, 1e3,   false, true),

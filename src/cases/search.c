@@ -32,7 +32,7 @@ enum { LOOKS = sizeof looks / sizeof *looks };
 enum {
     HERD = 1024,    // points of a generation
     PARENTS = 32,   // of which the next is bred
-    JITTERS = 4,    // of every point, for its spread
+    JITTERS = 8,    // of every point, for its spread
     GENERATIONS = 6 // before another variant has its turn
 };
 
@@ -57,17 +57,18 @@ struct score {
 
 // --- scores -------------------------------------------------------------------------------
 
-// Every float of a point and its light moved by one unit in the last place, or not, or back.
+// Every float of a point and its light moved by one unit in the last place, or not, or back: of a
+// vector in that of its largest component, since that is what is left of it as a unit vector.
 static void jitter(struct sb_points *points, struct sb_random *random)
 {
     for (int p = 0; p < points->count; p++)
-        for (int k = 0; k < sb_knob_count; k++)
-            for (int c = 0; c < sb_knobs[k].components; c++) {
-                float *value = sb_knob_of(points, p, &sb_knobs[k], c);
-                const uint64_t way = sb_random_below(random, 3);
-                if (*value != 0 && way < 2)
-                    *value = nextafterf(*value, way ? INFINITY : -INFINITY);
-            }
+        for (int k = 0; k < sb_knob_count; k++) {
+            float *value = sb_knob_of(points, p, &sb_knobs[k], 0), largest = 0;
+            for (int c = 0; c < sb_knobs[k].components; c++)
+                largest = fmaxf(largest, fabsf(value[c]));
+            for (int c = 0; c < sb_knobs[k].components; c++)
+                value[c] += largest * 0x1p-23f * ((float)sb_random_below(random, 3) - 1);
+        }
 }
 
 static void copy_points(const struct sb_points *from, struct sb_points *to)

@@ -25,9 +25,9 @@ struct sb_findings {
     int64_t asked; // points
 };
 // An error counts where it is above the bound (half a step in highp, four in half precision) and
-// above four times what a change of every input by one unit in the last place makes of the reference:
-// beyond that the formula is bad, not the input hard. *findings must be zeroed; free it also after
-// failure.
+// above four times what the last places of the inputs (of a vector: that of its largest component) make
+// of the reference: beyond that the formula is bad, not the input hard. *findings must be zeroed; free
+// it also after failure.
 bool sb_search(const struct sb_search_params *params, struct sb_findings *findings,
                struct sb_error *err);
 void sb_findings_free(struct sb_findings *findings);

@@ -21,18 +21,25 @@ static double power(const struct cosine *cosine, double n)
     return cosine->s <= 0 ? 1 : exp(n * log_cosine(cosine));
 }
 
-// Between the half vector and the normal (Blinn 1977). Opposite vectors have no half vector.
+// Vectors within 0.6 degrees of opposite have no half vector: floats have lost it there.
+#define LEAST_HALF 1e-4 // of its square, before it is made a unit vector
+
+static struct sb_vec3 half_vector(struct sb_vec3 a, struct sb_vec3 b)
+{
+    const struct sb_vec3 h = sb_vec3_add(a, b);
+    const double h2 = sb_vec3_dot(h, h);
+    return h2 > LEAST_HALF ? sb_vec3_scale(h, 1 / sqrt(h2)) : (struct sb_vec3){0, 0, 0};
+}
+
+// Between the half vector and the normal (Blinn 1977).
 static struct cosine blinn(const struct sb_ref_surface *surface, struct sb_vec3 to_light)
 {
     const struct sb_vec3 n = surface->normal;
-    const struct sb_vec3 h = sb_vec3_add(to_light, surface->view);
-    const double h2 = sb_vec3_dot(h, h);
-    if (!(h2 > 0))
-        return (struct cosine){0, 1};
+    const struct sb_vec3 h = half_vector(to_light, surface->view);
     const struct sb_vec3 across = sb_vec3_cross(n, h);
     return (struct cosine){
-        .c = sb_vec3_dot(n, h) / sqrt(h2),
-        .s = surface->shortfall + sb_vec3_dot(across, across) / h2,
+        .c = sb_vec3_dot(n, h),
+        .s = surface->shortfall + sb_vec3_dot(across, across),
     };
 }
 
@@ -76,7 +83,7 @@ double sb_ref_schlick(const struct sb_ref_choice *choice,
     const struct sb_vec3 v = surface->view;
     const double x = choice->model == SB_MODEL_PHONG
                          ? off_one(surface->normal, surface->shortfall, v)
-                         : off_one(sb_ref_unit(sb_vec3_add(highlight, v)), 0, v);
+                         : off_one(half_vector(highlight, v), 0, v);
     return x * x * x * x * x;
 }
 

@@ -194,6 +194,14 @@ static inline void textbook_area(const struct world *world, const struct sb_ligh
 
 // --- one light ------------------------------------------------------------------------------
 
+// Of vectors within 0.6 degrees of opposite there is none, by the convention of the shaders.
+static inline struct wide3 half_vector3(struct wide3 from, struct wide3 view)
+{
+    const struct wide3 sum = plus3(from, view);
+    return mpfr_cmp_d(dot(sum, sum), 1e-4) > 0 ? unit3(sum)
+                                               : of3((struct sb_vec3){0, 0, 0});
+}
+
 static inline wide textbook_specular(const struct world *world,
                                      const struct textbook_surface *surface,
                                      struct wide3 from)
@@ -202,7 +210,7 @@ static inline wide textbook_specular(const struct world *world,
     if (chosen(world, SB_AXIS_MODEL, SB_MODEL_PHONG))
         c = dot(reflect3(times3(from, of(-1)), surface->normal), surface->view);
     else
-        c = dot(surface->normal, unit3(plus3(from, surface->view)));
+        c = dot(surface->normal, half_vector3(from, surface->view));
     const wide n = of(world->material.shininess);
     wide norm = of(1);
     if (chosen(world, SB_AXIS_SPECULAR_NORM, SB_SPECULAR_NORM_ENERGY))
@@ -221,7 +229,7 @@ static inline wide textbook_fresnel(const struct world *world,
         return of(f0);
     const struct wide3 to = chosen(world, SB_AXIS_MODEL, SB_MODEL_PHONG)
                                 ? surface->normal
-                                : unit3(plus3(from, surface->view));
+                                : half_vector3(from, surface->view);
     const wide c = dot(surface->view, to);
     const wide x = minus(of(1), larger(c, negative(c)));
     return plus(of(f0), times(minus(of(1), of(f0)), power(x, of(5))));
