@@ -4,7 +4,9 @@
 // of no length is its centre: the quotient would be 0 / 0.
 P_POSITION float along_segment(P_POSITION float dot_axis, P_POSITION float axis2)
 {
-    return axis2 > 0.0 ? clamp(dot_axis / axis2, -1.0, 1.0) : 0.0;
+    P_POSITION float t = axis2 > 0.0 ? dot_axis / axis2 : 0.0;
+    PROBE_RAW(TERM_DISTANCE, t)
+    return clamp(t, -1.0, 1.0);
 }
 
 // Vector to the segment's nearest point.
