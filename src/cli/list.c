@@ -4,6 +4,7 @@
 
 #include "base/file.h"
 #include "base/words.h"
+#include "cases/case.h"
 #include "cli/common.h"
 #include "cli/table.h"
 #include "results/row.h"
@@ -165,6 +166,7 @@ static bool list_columns(struct listing *listing, const struct sb_options *optio
     *listing = (struct listing){{"file", "column", "help"}, 3, listing->rows};
     add_columns(listing, "summary.csv", sb_summary_columns, sb_summary_column_count);
     add_columns(listing, "samples.csv", sb_sample_columns, sb_sample_column_count);
+    add_columns(listing, "cases.csv", sb_case_columns, sb_case_column_count);
     return true;
 }
 
@@ -198,6 +200,21 @@ static bool list_statuses(struct listing *listing, const struct sb_options *opti
     return true;
 }
 
+static bool list_cases(struct listing *listing, const struct sb_options *options,
+                       struct sb_error *err)
+{
+    (void)options;
+    (void)err;
+    *listing = (struct listing){{"case", "family", "help"}, 3, listing->rows};
+    for (int f = 0; f < SB_CASE_FAMILIES; f++)
+        for (int i = 0; i < sb_case_families[f]->count; i++) {
+            const struct sb_case *it = &sb_case_families[f]->row[i];
+            add(listing,
+                (const char *const[]){it->id, sb_case_families[f]->name, it->help});
+        }
+    return true;
+}
+
 static const struct {
     const char *name;
     bool (*fill)(struct listing *listing, const struct sb_options *options,
@@ -206,6 +223,7 @@ static const struct {
     {"suites", list_suites},   {"presets", list_presets},   {"scenes", list_scenes},
     {"axes", list_axes},       {"contexts", list_contexts}, {"timers", list_timers},
     {"columns", list_columns}, {"settings", list_settings}, {"statuses", list_statuses},
+    {"cases", list_cases},
 };
 enum { LIST_COUNT = sizeof lists / sizeof *lists };
 

@@ -6,6 +6,7 @@ const struct sb_column sb_sample_columns[] = {
 #define SAMPLE(type, name, help)                                                         \
     {#name, help, SB_##type, offsetof(struct sb_sample_row, name)},
 #define SUMMARY(type, name, help)
+#define CASE(type, field, name, help)
 #define AXES()
 #include "results/columns.def"
 #undef SAMPLE
@@ -20,12 +21,27 @@ const struct sb_column sb_summary_columns[] = {
 #include "results/columns.def"
 #undef SAMPLE
 #undef SUMMARY
+#undef CASE
+#undef AXES
+};
+
+const struct sb_column sb_case_columns[] = {
+#define SAMPLE(type, name, help)
+#define SUMMARY(type, name, help)
+#define AXES()
+#define CASE(type, field, name, help)                                                    \
+    {name, help, SB_##type, offsetof(struct sb_case_row, field)},
+#include "results/columns.def"
+#undef SAMPLE
+#undef SUMMARY
+#undef CASE
 #undef AXES
 };
 
 const int sb_sample_column_count = sizeof sb_sample_columns / sizeof *sb_sample_columns;
 const int sb_summary_column_count =
     sizeof sb_summary_columns / sizeof *sb_summary_columns;
+const int sb_case_column_count = sizeof sb_case_columns / sizeof *sb_case_columns;
 
 static void clear(void *row, const struct sb_column *columns, int count)
 {
@@ -54,4 +70,9 @@ void sb_row_init(struct sb_row *row)
 void sb_sample_row_init(struct sb_sample_row *row)
 {
     clear(row, sb_sample_columns, sb_sample_column_count);
+}
+
+void sb_case_row_init(struct sb_case_row *row)
+{
+    clear(row, sb_case_columns, sb_case_column_count);
 }

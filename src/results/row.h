@@ -16,6 +16,7 @@ typedef int64_t sb_cell_COUNT;
 struct sb_sample_row {
 #define SAMPLE(type, name, help) sb_cell_##type name;
 #define SUMMARY(type, name, help)
+#define CASE(type, field, name, help)
 #define AXES()
 #include "results/columns.def"
 #undef SAMPLE
@@ -29,6 +30,17 @@ struct sb_row {
 #include "results/columns.def"
 #undef SAMPLE
 #undef SUMMARY
+#undef CASE
+};
+
+struct sb_case_row {
+#define SAMPLE(type, name, help)
+#define SUMMARY(type, name, help)
+#define CASE(type, field, name, help) sb_cell_##type field;
+#include "results/columns.def"
+#undef SAMPLE
+#undef SUMMARY
+#undef CASE
 #undef AXES
 };
 
@@ -41,8 +53,10 @@ struct sb_column {
 };
 extern const struct sb_column sb_sample_columns[];
 extern const struct sb_column sb_summary_columns[];
-extern const int sb_sample_column_count, sb_summary_column_count;
+extern const struct sb_column sb_case_columns[];
+extern const int sb_sample_column_count, sb_summary_column_count, sb_case_column_count;
 
 // A row with every cell absent.
 void sb_row_init(struct sb_row *row);
 void sb_sample_row_init(struct sb_sample_row *row);
+void sb_case_row_init(struct sb_case_row *row);
