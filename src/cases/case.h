@@ -149,6 +149,12 @@ const struct sb_case *sb_case_expect(const char *id, const struct sb_case_family
                                      struct sb_error *err);
 int sb_case_total(void);
 
+// The cases that a word stands for: the id of one, or the name of a family. Appends them to `it`, which
+// has room for SB_CASES_MAX, each once. An unknown word fails with the nearest and the families.
+enum { SB_CASES_MAX = 128 };
+bool sb_cases_select(const char *word, const struct sb_case **it, int *count,
+                     struct sb_error *err);
+
 // --- asking one ---------------------------------------------------------------------------
 
 // The variant that a case is asked with: its assignments, then the precision's, then the form's

@@ -40,12 +40,10 @@ int sb_case_total(void)
     return total;
 }
 
-enum { CASES_MAX = 128 };
-
 const struct sb_case *sb_case_expect(const char *id, const struct sb_case_family **family,
                                      struct sb_error *err)
 {
-    const char *valid[CASES_MAX];
+    const char *valid[SB_CASES_MAX];
     int count = 0;
     for (int f = 0; f < SB_CASE_FAMILIES; f++)
         for (int i = 0; i < sb_case_families[f]->count; i++) {
@@ -59,4 +57,54 @@ const struct sb_case *sb_case_expect(const char *id, const struct sb_case_family
         }
     sb_fail_unknown(err, "", "case", id, valid, count);
     return NULL;
+}
+
+static void select_case(const struct sb_case *one, const struct sb_case **it, int *count)
+{
+    for (int i = 0; i < *count; i++)
+        if (it[i] == one)
+            return;
+    if (*count < SB_CASES_MAX)
+        it[(*count)++] = one;
+}
+
+// Of more than fifty valid words only the families are told.
+static bool fail_word(const char *word, struct sb_error *err)
+{
+    const char *valid[SB_CASES_MAX + SB_CASE_FAMILIES];
+    int count = 0;
+    struct sb_text families = {0};
+    for (int f = 0; f < SB_CASE_FAMILIES; f++) {
+        if (sb_case_families[f]->count == 0)
+            continue;
+        valid[count++] = sb_case_families[f]->name;
+        sb_text_printf(&families, " %s", sb_case_families[f]->name);
+        for (int i = 0; i < sb_case_families[f]->count; i++)
+            valid[count++] = sb_case_families[f]->row[i].id;
+    }
+    const char *nearest = sb_nearest_word(word, valid, count);
+    sb_fail(err, SB_USAGE,
+            "unknown case or family \"%s\";%s%s%s valid: the cases of shadebench list "
+            "cases, and the families%s",
+            word, nearest ? " did you mean \"" : "", nearest ? nearest : "",
+            nearest ? "\"?" : "", sb_text_get(&families));
+    sb_text_free(&families);
+    return false;
+}
+
+bool sb_cases_select(const char *word, const struct sb_case **it, int *count,
+                     struct sb_error *err)
+{
+    bool found = false;
+    for (int f = 0; f < SB_CASE_FAMILIES; f++) {
+        const struct sb_case_family *family = sb_case_families[f];
+        const bool whole = strcmp(family->name, word) == 0;
+        for (int i = 0; i < family->count; i++) {
+            if (!whole && strcmp(family->row[i].id, word) != 0)
+                continue;
+            select_case(&family->row[i], it, count);
+            found = true;
+        }
+    }
+    return found || fail_word(word, err);
 }

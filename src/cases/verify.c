@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/mem.h"
+#include "cases/breaking.h"
 
 static unsigned precisions_of(const struct sb_matrix_params *params)
 {
@@ -25,8 +26,12 @@ static void add_case(const struct sb_matrix_params *params, const struct sb_case
 {
     const unsigned forms = params->forms ? params->forms : 3;
     const unsigned precisions = it->precisions & precisions_of(params);
-    struct sb_matrix_cell cell = {
-        .it = it, .family = family, .cost = NAN, .cost_lo = NAN, .cost_hi = NAN};
+    struct sb_matrix_cell cell = {.it = it,
+                                  .family = family,
+                                  .cost = NAN,
+                                  .cost_lo = NAN,
+                                  .cost_hi = NAN,
+                                  .holds_to = NAN};
     for (int precision = 0; precision < SB_CASE_PRECISION_COUNT; precision++)
         for (int vertex = 0; vertex < 2; vertex++)
             for (int form = 0; form < SB_CASE_FORM_COUNT; form++) {
@@ -64,6 +69,32 @@ void sb_matrix_ask(const struct sb_matrix_params *params, struct sb_matrix *matr
                     &cell->outcome);
         if (params->done)
             params->done(params->user, cell, matrix->count + 1, total);
+    }
+}
+
+void sb_matrix_break(const struct sb_matrix_params *params, struct sb_matrix *matrix)
+{
+    int total = 0, count = 0;
+    for (int i = 0; i < matrix->count; i++)
+        total += matrix->cell[i].it->scale.name != NULL;
+    for (int i = 0; i < matrix->count; i++) {
+        struct sb_matrix_cell *cell = &matrix->cell[i];
+        struct sb_breaking breaking;
+        struct sb_error ignored; // the cell itself says why it cannot be asked
+        if (!cell->it->scale.name)
+            continue;
+        if (params->stop && params->stop(params->user))
+            return;
+        if (cell->outcome.verdict != SB_VERDICT_NA &&
+            sb_case_break(params->env, cell->it, cell->form, cell->precision,
+                          cell->vertex, &breaking, &ignored)) {
+            cell->broken = true;
+            cell->holds_to = breaking.holds_to;
+            cell->to_the_end = breaking.to_the_end;
+            sb_text_free(&breaking.outcome.note);
+        }
+        if (params->done)
+            params->done(params->user, cell, ++count, total);
     }
 }
 

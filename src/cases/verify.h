@@ -12,6 +12,9 @@ struct sb_matrix_cell {
     struct sb_outcome outcome;
     double cost, cost_lo,
         cost_hi; // time over that of the naive form and its 95 % interval; NAN: not measured
+    bool broken;     // its breaking point was asked for
+    double holds_to; // as in struct sb_breaking; NAN where it was not
+    bool to_the_end;
 };
 struct sb_matrix {
     struct sb_matrix_cell *cell;
@@ -32,6 +35,8 @@ struct sb_matrix_params {
 };
 // Asks every cell, in the order of the catalogue. *matrix must be zeroed; free it afterwards.
 void sb_matrix_ask(const struct sb_matrix_params *params, struct sb_matrix *matrix);
+// Asks the breaking point of every cell whose case scales; one that cannot be asked stays as it is.
+void sb_matrix_break(const struct sb_matrix_params *params, struct sb_matrix *matrix);
 void sb_matrix_free(struct sb_matrix *matrix);
 
 // Does the cell hold what it should? A robust form must pass, or be refused where the remedy is on
