@@ -12,7 +12,7 @@
 const struct sb_command sb_commands[] = {
     {"probe", "", "what this driver is, which of its timers tells the truth, what mediump does",
      "Opens a context, proves its timers against the wall clock and probes its precision\nqualifiers. Exit code 3: no timer is credible.", 1, sb_cmd_probe},
-    {"list", "[WHAT]", "suites, presets, scenes, axes, contexts, columns, settings, statuses",
+    {"list", "[WHAT]", "suites, presets, scenes, axes, cases, contexts, columns, settings, statuses",
      "Without a word: the suites and what else can be listed.", 2, sb_cmd_list},
     {"show", "VARIANT | SUITE", "the final GLSL of a variant (point=4,stage=vertex), or the plan of a suite",
      "A variant is AXIS=VALUE,…, after the name of a preset where it has one; `default` is the\nvariant of all defaults. Needs no GL.", 4, sb_cmd_show},
@@ -20,8 +20,8 @@ const struct sb_command sb_commands[] = {
      "SUITE is the name of a shipped suite (shadebench list suites) or a YAML file. Without\nSUITE, --set and --sweep say what to run. Exit codes: 0 done, 2 input, 3 a row is not\nvalid, 77 no GL here, 130 interrupted.", 8, sb_cmd_run},
     {"compare", "--pareto | --terms RESULTS", "which rows of a run are beaten in time and error, and what each term's precision costs",
      "RESULTS is a results folder or its summary.csv. Nothing is measured, no driver is opened.\nA row is dominated by another of the same scene axes, target and platform whose time\ninterval lies wholly below and which is no worse in any error.", 32, sb_cmd_compare},
-    {"verify", "--classes [SUITE]", "do variants that differ only in how they do it draw the same picture?",
-     "Draws every variant of SUITE (classes, where none is given) and compares it with the first\nof its equivalence class: same scene, equal on all but implementation axes. Exit code 3: two\npictures differ that must not, or a variant cannot be drawn.", 16, sb_cmd_verify},
+    {"verify", "[CASE...] | --classes [SUITE]", "do the hard cases hold here? do variants that differ only in how they do it draw the same picture?",
+     "Asks the formulas of the shaders, naive and robust, at inputs at which lighting goes wrong, and\nholds what comes back against double precision. CASE is a case or a family (shadebench list\ncases); without one, all. Exit code 1: a robust form does not hold, or the search has found\nsomething.\nWith --classes: draws every variant of SUITE (classes, where none is given) and compares it\nwith the first of its equivalence class: same scene, equal on all but implementation axes. Exit\ncode 3: two pictures differ that must not, or a variant cannot be drawn.", 16, sb_cmd_verify},
     {"explain", "VARIANT --pixel X,Y", "everything that was computed on the way to one pixel",
      "Prints at full precision what the driver interpolated there, the material and the lights as\nuploaded, and each term of each light: in double from the same inputs, as the driver had\nit, and how many units in the last place they are apart. VARIANT is an id, as tables and\nsummary.csv print it.", 64, sb_cmd_explain},
 };

@@ -16,8 +16,9 @@ struct sb_assignments {
 // Parsed options; zero where not given.
 struct sb_options {
     const char *data, *shaders, *preset, *scene, *output, *resume, *timer, *device, *dump,
-        *pixel;
-    bool json, quiet, verbose, help, images, validate, classes, pareto, terms;
+        *pixel, *form, *precision, *search, *seed;
+    bool json, quiet, verbose, help, images, validate, classes, pareto, terms, all,
+        breaking, time;
     struct sb_assignments set, sweep, cross, setting;
     const char *word[SB_WORDS_MAX]; // what is no option
     int word_count;

@@ -116,7 +116,7 @@ void sb_report_table(const struct sb_axes *axes, const struct sb_row *row, int c
     print_notes(row, count);
 }
 
-static json_t *cell_json(const struct sb_row *row, const struct sb_column *column)
+json_t *sb_report_cell_json(const void *row, const struct sb_column *column)
 {
     const void *cell = (const char *)row + column->offset;
     if (column->type == SB_TEXT)
@@ -153,7 +153,8 @@ json_t *sb_report_json(const struct sb_axes *axes, const struct sb_row *row, int
             if (column->type == SB_AXES)
                 set_axes(object, axes, &row[i]);
             else
-                json_object_set_new(object, column->name, cell_json(&row[i], column));
+                json_object_set_new(object, column->name,
+                                    sb_report_cell_json(&row[i], column));
         }
         json_array_append_new(list, object);
     }

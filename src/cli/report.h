@@ -15,3 +15,6 @@ void sb_report_level(struct sb_table *table, const struct sb_row *row);
 // sb_pareto_text with what sets the dominator apart from the other rows of `keys`.
 void sb_report_mark(const struct sb_keys *keys, const struct sb_row *row,
                     struct sb_text *text);
+
+// A cell of a row of any results file; null where it is absent, or not finite.
+json_t *sb_report_cell_json(const void *row, const struct sb_column *column);

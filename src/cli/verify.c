@@ -1,5 +1,5 @@
-// shadebench verify: checks that nothing is timed for. --classes: do variants that differ only
-// in how they do it draw the same picture?
+// shadebench verify --classes: do variants that differ only in how they do it draw the same
+// picture? Without it, the hard cases: verify_cases.c.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,9 +7,9 @@
 
 #include "base/file.h"
 #include "base/log.h"
-#include "cases/verify.h"
 #include "cli/common.h"
 #include "cli/table.h"
+#include "cli/verify.h"
 #include "measure/classes.h"
 
 struct report {
@@ -205,55 +205,24 @@ static int verify_classes(const struct sb_options *options, const struct sb_suit
     return code;
 }
 
-// --- the hard cases ------------------------------------------------------------------------
-
-static void print_cell(void *user, const struct sb_matrix_cell *cell, int count,
-                       int total)
+// Options that ask for something of cases.
+static bool check_classes(const struct sb_options *options, struct sb_error *err)
 {
-    (void)user, (void)count, (void)total;
-    const struct sb_outcome *outcome = &cell->outcome;
-    printf("%-22s %-8s %-8s %-6s %-7s %10.4g of %-8.4g %-8s %s\n", cell->it->id,
-           sb_case_precisions[cell->precision].name, cell->vertex ? "vertex" : "fragment",
-           sb_case_form_names[cell->form], sb_verdict_names[outcome->verdict],
-           outcome->measured, outcome->bound,
-           sb_figure_rows[outcome->figure].name ? sb_figure_rows[outcome->figure].name
-                                                : "",
-           sb_text_get(&outcome->note));
-}
-
-static int verify_cases(const struct sb_options *options, const char *data,
-                        struct sb_error *err)
-{
-    struct sb_suite suite = {0};
-    struct sb_driver_params params;
-    struct sb_driver driver = {0};
-    struct sb_matrix matrix = {0};
-    const struct sb_case *it[SB_WORDS_MAX];
-    for (int i = 0; i < options->word_count; i++)
-        if (!(it[i] = sb_case_expect(options->word[i], NULL, err)))
-            return sb_cli_fail(err);
-    if (!sb_cli_load_suite(options, NULL, data, &suite, err) ||
-        !sb_cli_driver_params(options, &suite, &params, err) ||
-        !sb_driver_connect(&params, &driver, err) || !sb_driver_probe(&driver, err))
-        return sb_cli_fail(err);
-    const struct sb_case_env env = {sb_axes_builtin(), &driver, data, options->shaders};
-    sb_matrix_ask(
-        &(struct sb_matrix_params){
-            .env = &env, .it = it, .count = options->word_count, .done = print_cell},
-        &matrix);
-    int code = 0;
-    for (int i = 0; i < matrix.count; i++)
-        code = code || !sb_matrix_holds(&matrix.cell[i]);
-    sb_matrix_free(&matrix);
-    sb_driver_close(&driver);
-    sb_suite_free(&suite);
-    return code;
+    const char *given = options->form        ? "--form"
+                        : options->precision ? "--precision"
+                        : options->all       ? "--all"
+                        : options->breaking  ? "--breaking"
+                        : options->time      ? "--time"
+                        : options->search    ? "--search"
+                        : options->seed      ? "--seed"
+                        : options->output    ? "--output"
+                        : options->timer     ? "--timer"
+                                             : NULL;
+    return !given || sb_fail(err, SB_USAGE, "%s is of cases: leave out --classes", given);
 }
 
 int sb_cmd_verify(const struct sb_options *options, int argc, char **argv)
 {
-    (void)argc;
-    (void)argv;
     struct sb_error err = {0};
     struct sb_arena arena = {0};
     struct sb_suite suite = {0};
@@ -267,10 +236,11 @@ int sb_cmd_verify(const struct sb_options *options, int argc, char **argv)
     const char *data = sb_data_dir(&arena, options->data, &err);
     bool good = data != NULL;
     if (good && !options->classes) {
-        code = verify_cases(options, data, &err);
+        code = sb_cli_verify_cases(options, argc, argv, data, &err);
         sb_arena_free(&arena);
         return code;
     }
+    good = good && check_classes(options, &err);
     if (good && options->word_count > 1)
         good = !sb_cli_fail_axis("word", options->word[1], NULL, &err) &&
                sb_fail(&err, SB_USAGE, "verify takes one suite; \"%s\" is one too many",
