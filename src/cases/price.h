@@ -38,8 +38,8 @@ bool sb_prices_find(const struct sb_case_env *env, const struct sb_case *const *
                     struct sb_prices *prices, struct sb_error *err);
 
 struct sb_prices_params {
-    struct sb_driver_params
-        driver; // must not be open: a process has one context at a time
+    const struct sb_driver *driver; // examined (sb_driver_examine) …
+    const char *timer;              // … and the timer that is wanted; NULL: any
     const char *data_dir, *shaders;
     const char *dir; // results folder of a run of its own
     const char *scene;

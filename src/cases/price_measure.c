@@ -164,7 +164,8 @@ bool sb_prices_measure(struct sb_prices *prices, const struct sb_prices_params *
     make_suite(prices, params, &suite);
     const struct sb_run_params run = {
         .suite = &suite,
-        .driver = params->driver,
+        .driver = {.timer = params->timer},
+        .examined = params->driver,
         .data_dir = params->data_dir,
         .shaders = params->shaders,
         .dir = params->dir,

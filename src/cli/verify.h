@@ -27,7 +27,6 @@ struct sb_verify {
     // where
     const char *data, *dir;
     struct sb_suite platform; // of the platform axes, one entry
-    struct sb_driver_params driver_params;
     struct sb_driver driver;
     struct sb_case_env env;
     // answers

@@ -101,18 +101,20 @@ static const char *results_dir(struct sb_verify *verify)
 
 static bool open_all(struct sb_verify *verify, struct sb_error *err)
 {
+    struct sb_driver_params params;
     // Where nothing is timed Mesa may keep its shader cache, which most of a second start is. What
     // the user has set stays.
     if (!verify->options->time)
         setenv("MESA_SHADER_CACHE_DISABLE", "false", 0);
     if (!read_asked(verify, err) || !check_plan(verify->options, err) ||
         !sb_cli_load_suite(verify->options, NULL, verify->data, &verify->platform, err) ||
-        !sb_cli_driver_params(verify->options, &verify->platform, &verify->driver_params,
-                              err))
+        !sb_cli_driver_params(verify->options, &verify->platform, &params, err))
         return false;
     sb_progress("opening the context and probing its precision");
-    if (!sb_driver_connect(&verify->driver_params, &verify->driver, err) ||
-        !sb_driver_probe(&verify->driver, err))
+    // Timers are audited now, in the state that a run finds them in.
+    if (verify->options->time ? !sb_driver_examine(&params, &verify->driver, err)
+                              : !sb_driver_connect(&params, &verify->driver, err) ||
+                                    !sb_driver_probe(&verify->driver, err))
         return false;
     verify->dir = results_dir(verify);
     verify->env = (struct sb_case_env){sb_axes_builtin(), &verify->driver, verify->data,
@@ -249,7 +251,6 @@ static json_t *arguments_json(int argc, char **argv)
     return list;
 }
 
-// The driver is closed for it: the run opens its own, and a process has one context at a time.
 static void price_guards(struct sb_verify *verify, int argc, char **argv)
 {
     struct sb_error err = {0};
@@ -258,10 +259,10 @@ static void price_guards(struct sb_verify *verify, int argc, char **argv)
         sb_warn("%s", err.text);
         return;
     }
-    sb_driver_close(&verify->driver);
     json_t *arguments = arguments_json(argc, argv);
     const struct sb_prices_params params = {
-        .driver = verify->driver_params,
+        .driver = &verify->driver,
+        .timer = verify->options->timer,
         .data_dir = verify->data,
         .shaders = verify->options->shaders,
         .dir = sb_path_join(&verify->arena, verify->dir, "time"),

@@ -90,14 +90,20 @@ bool sb_driver_examine(const struct sb_driver_params *params, struct sb_driver *
     return false;
 }
 
+bool sb_driver_use_timer(struct sb_driver *driver, const char *wanted,
+                         struct sb_error *err)
+{
+    if (driver->timer < 0)
+        return explain_timer(driver, wanted, err);
+    return driver->fns->use_timer(driver->runner, driver->timer, err);
+}
+
 bool sb_driver_open(const struct sb_driver_params *params, struct sb_driver *driver,
                     struct sb_error *err)
 {
     if (!sb_driver_examine(params, driver, err))
         return false;
-    if (driver->timer < 0)
-        explain_timer(driver, params->timer, err);
-    else if (driver->fns->use_timer(driver->runner, driver->timer, err))
+    if (sb_driver_use_timer(driver, params->timer, err))
         return true;
     sb_driver_close(driver);
     return false;

@@ -42,6 +42,10 @@ bool sb_driver_probe(struct sb_driver *driver, struct sb_error *err);
 bool sb_driver_examine(const struct sb_driver_params *params, struct sb_driver *driver,
                        struct sb_error *err);
 
+// The timer of an examined driver, for measuring after all; else why there is none (SB_NO_TIMER).
+bool sb_driver_use_timer(struct sb_driver *driver, const char *wanted,
+                         struct sb_error *err);
+
 // What a stage makes of a carrier at a precision (0 highp, 1 mediump, 2 lowp); NULL where not
 // probed.
 const struct sb_precision_verdict *sb_driver_precision(const struct sb_driver *driver,

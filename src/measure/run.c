@@ -373,6 +373,10 @@ static bool open_all(struct sb_run_state *run, struct sb_error *err)
     run->store = sb_store_open(&store, err);
     if (!run->store || !copy_suite(params, err))
         return false;
+    if (params->examined) {
+        run->driver = *params->examined;
+        return sb_driver_use_timer(&run->driver, driver.timer, err);
+    }
     sb_progress("opening the context and auditing its timers");
     if (!sb_driver_open(&driver, &run->driver, err)) {
         if (err->status == SB_NO_TIMER && !params->append)
@@ -456,7 +460,8 @@ void sb_run_result_free(struct sb_run_result *result)
         return;
     for (int i = 0; i < run->task_count; i++)
         sb_task_free(&run->task[i], &run->driver);
-    sb_driver_close(&run->driver);
+    if (!run->params->examined)
+        sb_driver_close(&run->driver);
     sb_store_close(&run->store);
     sb_earlier_free(&run->earlier);
     sb_truths_free(&run->truths);

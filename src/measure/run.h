@@ -13,6 +13,8 @@
 struct sb_run_params {
     struct sb_suite *suite;
     struct sb_driver_params driver;
+    // One that was examined before, and is used instead: a process has one context. It stays open.
+    const struct sb_driver *examined; // NULL: the run opens its own
     const char *data_dir, *shaders;
     const char *dir;         // results folder
     bool append;             // go on with what the folder holds
