@@ -44,6 +44,31 @@ static void a_run_stopped_in_its_rounds_shows_them(void **state)
     sb_csv_free(&csv);
 }
 
+static void hard_cases_that_were_asked_before_a_signal_are_kept(void **state)
+{
+    (void)state;
+    struct sb_csv csv;
+    start_program(&it, "verify relations --all --context null -o @/early");
+    wait_until_said(&it, "opening");
+    kill(it.pid, SIGINT);
+    assert_int_equal(finish(&it), 130);
+    check_contains(it.text, "interrupted: what was asked before is in the files");
+    // Whatever the null runner is asked in a search is wrong: that weighs more than the signal, where
+    // it came to asking anything.
+    start_program(&it,
+                  "verify light-order --precision highp --search 100000 --context null "
+                  "-o @/late");
+    wait_until_said(&it, "searching");
+    kill(it.pid, SIGTERM);
+    const int code = finish(&it);
+    assert_int_equal(code, strstr(it.text, ".id = \"found-1\"") ? 1 : 130);
+    check_contains(it.text, "interrupted: ");
+    check_contains(it.text, "1 case: 1 of 1 robust cells hold");
+    read_csv("late/cases.csv", &csv);
+    assert_int_equal(csv.row_count, 2);
+    sb_csv_free(&csv);
+}
+
 static void an_interrupted_run_is_gone_on_with(void **state)
 {
     (void)state;
@@ -97,6 +122,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_stage_ends_with_130_and_an_incomplete_record),
         cmocka_unit_test(a_run_stopped_in_its_rounds_shows_them),
+        cmocka_unit_test(hard_cases_that_were_asked_before_a_signal_are_kept),
         cmocka_unit_test(an_interrupted_run_is_gone_on_with),
         cmocka_unit_test(a_killed_run_leaves_rows_that_are_gone_on_with),
     };

@@ -7,6 +7,7 @@
 #include "cases/matrix_text.h"
 #include "cli/report.h"
 #include "cli/verify.h"
+#include "measure/interrupt.h"
 #include "measure/precision.h"
 #include "results/junit.h"
 
@@ -212,9 +213,9 @@ json_t *sb_verify_json(struct sb_verify *verify)
     int64_t asked = 0;
     for (int i = 0; i < verify->searched_count; i++)
         asked += verify->searched[i].findings.asked;
-    return json_pack("{ssssssssososIso}", "dir", verify->dir, "renderer",
+    return json_pack("{sssssssssososIsosb}", "dir", verify->dir, "renderer",
                      verify->driver.caps.renderer, "version", verify->driver.caps.version,
                      "timer", verify->prices.timer, "cells", cells_json(verify), "found",
                      found_json(verify), "searched_points", (json_int_t)asked, "prices",
-                     prices_json(verify));
+                     prices_json(verify), "interrupted", sb_interrupted());
 }
