@@ -27,7 +27,9 @@ static void print_searched(const struct sb_verify *verify)
         const char *form = sb_case_form_names[searched->params.form];
         printf("\nsearch, %s %s, seed %.0f, %.3g s: ", form, precision, verify->seed,
                searched->params.seconds);
-        if (findings->count == 0)
+        if (findings->asked == 0) // too short a time is no good news
+            printf("no point was asked in that time\n");
+        else if (findings->count == 0)
             printf("nothing found in %lld points\n", (long long)findings->asked);
         else
             printf("%d found in %lld points\n", findings->count,

@@ -21,6 +21,7 @@
 struct sb_run_state {
     const struct sb_run_params *params;
     struct sb_driver driver;
+    bool borrowed; // the driver is the caller's
     struct sb_task *task;
     int task_count;
     struct sb_store *store;
@@ -375,6 +376,7 @@ static bool open_all(struct sb_run_state *run, struct sb_error *err)
         return false;
     if (params->examined) {
         run->driver = *params->examined;
+        run->borrowed = true;
         return sb_driver_use_timer(&run->driver, driver.timer, err);
     }
     sb_progress("opening the context and auditing its timers");
@@ -460,7 +462,7 @@ void sb_run_result_free(struct sb_run_result *result)
         return;
     for (int i = 0; i < run->task_count; i++)
         sb_task_free(&run->task[i], &run->driver);
-    if (!run->params->examined)
+    if (!run->borrowed)
         sb_driver_close(&run->driver);
     sb_store_close(&run->store);
     sb_earlier_free(&run->earlier);
