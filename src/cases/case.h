@@ -42,9 +42,10 @@ enum sb_figure {
     SB_FIGURE_RELATIVE, // largest |error| / |right|
     SB_FIGURE_ANGLE,    // degrees between the vector and the right one
     SB_FIGURE_RISES, // count: neighbours in order of which the term rises instead of falls
-    SB_FIGURE_LEAKS, // steps of 1/255: largest value where the right one is exactly 0
-    SB_FIGURE_FLIPS, // percent: points of which a branch went another way
-    SB_FIGURE_OWN,   // what the case's own `run` says
+    SB_FIGURE_LEAKS,  // steps of 1/255: largest value where the right one is exactly 0
+    SB_FIGURE_EXCESS, // steps of 1/255: by how much the largest value exceeds 1
+    SB_FIGURE_FLIPS,  // percent: points of which a branch went another way
+    SB_FIGURE_OWN,    // what the case's own `run` says
     SB_FIGURE_COUNT
 };
 struct sb_figure_row {

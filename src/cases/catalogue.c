@@ -22,6 +22,7 @@ const struct sb_figure_row sb_figure_rows[SB_FIGURE_COUNT] = {
     [SB_FIGURE_ANGLE]    = {"angle",    "deg",    "largest angle to the right vector"},
     [SB_FIGURE_RISES]    = {"rises",    "points", "points at which it rises instead of falls"},
     [SB_FIGURE_LEAKS]    = {"leaks",    "/255",   "largest value where 0 is right"},
+    [SB_FIGURE_EXCESS]   = {"excess",   "/255",   "largest value, less the 1 that it must not exceed"},
     [SB_FIGURE_FLIPS]    = {"flips",    "%",      "points of which a branch went another way"},
     [SB_FIGURE_OWN]      = {"own",      "",       "as the case says"},
 };

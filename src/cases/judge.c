@@ -95,6 +95,8 @@ static double error_at(const struct sb_judged *judged, enum sb_figure figure,
     const double error = fabs(told - right);
     if (figure == SB_FIGURE_LEAKS)
         return right != 0 ? 0 : isfinite(told) ? 255 * fabs(told) : INFINITY;
+    if (figure == SB_FIGURE_EXCESS)
+        return isfinite(told) ? 255 * fmax(told - 1, 0) : INFINITY;
     if (!isfinite(error)) // both infinite is wrong, too: nothing right is infinite
         return INFINITY;
     if (figure == SB_FIGURE_RELATIVE)

@@ -25,7 +25,10 @@ static void add_case(const struct sb_matrix_params *params, const struct sb_case
                      const struct sb_case_family *family, struct sb_matrix *matrix)
 {
     const unsigned forms = params->forms ? params->forms : 3;
-    const unsigned precisions = it->precisions & precisions_of(params);
+    // Of no precision, of no stage: once, where highp and fragments stand.
+    const unsigned precisions =
+        it->precisions ? it->precisions & precisions_of(params) : SB_IN_HIGHP;
+    const unsigned stages = it->stages ? it->stages : SB_IN_FRAGMENT;
     struct sb_matrix_cell cell = {.it = it,
                                   .family = family,
                                   .cost = NAN,
@@ -36,7 +39,7 @@ static void add_case(const struct sb_matrix_params *params, const struct sb_case
         for (int vertex = 0; vertex < 2; vertex++)
             for (int form = 0; form < SB_CASE_FORM_COUNT; form++) {
                 if (!(precisions >> precision & 1) || !(forms >> form & 1) ||
-                    !(it->stages >> vertex & 1) || !it->form[form])
+                    !(stages >> vertex & 1) || !it->form[form])
                     continue;
                 cell.precision = (enum sb_case_precision)precision;
                 cell.vertex = vertex;
