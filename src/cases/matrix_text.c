@@ -19,6 +19,7 @@ const char *sb_outcome_of(const struct sb_outcome *outcome)
     case SB_FIGURE_COUNT:
         return NULL;
     case SB_FIGURE_ABSOLUTE:
+    case SB_FIGURE_EXCESS:
     case SB_FIGURE_RELATIVE:
     case SB_FIGURE_ANGLE:
     case SB_FIGURE_RISES:
