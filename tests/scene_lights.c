@@ -283,6 +283,38 @@ static void narrow_cones_keep_full_precision(void **state)
     }
 }
 
+// The float next to a quarter turn is 4.4e-8 more than one, that next to half a turn 8.7e-8.
+static void quarter_and_half_turns_are_exact(void **state)
+{
+    (void)state;
+    const double turns[] = {acos(-1.0) / 2, (float)(acos(-1.0) / 2)};
+    for (int i = 0; i < 2; i++) {
+        struct sb_light light = {0};
+        sb_light_set_cone(&light, turns[i], turns[i]);
+        check_close(light.cos_cutoff, 0, 0);
+        check_close(light.cos_inner, 0, 0);
+        check_close(light.cone_offset, 0, 0);
+        sb_light_set_cone(&light, 0.5, turns[i]);
+        check_close(light.cos_inner, cos(0.5), 6e-8);
+    }
+    const double halves[] = {acos(-1.0), (float)acos(-1.0), 4};
+    for (int i = 0; i < 3; i++) {
+        struct sb_light light = {.exponent = 8};
+        sb_light_set_cone(&light, halves[i] / 2, halves[i]);
+        assert_true(light.cos_cutoff <
+                    -1.1); // less than a product of rounded unit vectors
+        for (double cosine = -1 - 1e-6; cosine <= 1; cosine += 0.1) { // by every law
+            check_close(pow(fmax(cosine, 0.1), light.exponent), 1, 0);
+            check_close(1 - (1 - cosine) * light.inv_one_minus_cos, 1, 0);
+            check_close(cosine * light.cone_scale + light.cone_offset, 1, 0);
+        }
+    }
+    struct sb_light light = {.exponent = 8}; // just less than half a turn is a cone
+    sb_light_set_cone(&light, 1, nextafterf((float)acos(-1.0), 0));
+    check_close(light.cos_cutoff, -1, 6e-8);
+    check_close(light.exponent, 8, 0);
+}
+
 static void the_smooth_cone_is_one_inside_and_zero_outside(void **state)
 {
     (void)state;
@@ -312,6 +344,7 @@ int main(void)
         cmocka_unit_test(only_a_sun_below_the_horizon_does_not_shine),
         cmocka_unit_test(unified_lights_tell_their_type),
         cmocka_unit_test(narrow_cones_keep_full_precision),
+        cmocka_unit_test(quarter_and_half_turns_are_exact),
         cmocka_unit_test(the_smooth_cone_is_one_inside_and_zero_outside),
         cmocka_unit_test(equal_angles_give_a_steep_ramp_that_ends_at_the_outer_one),
     };

@@ -77,12 +77,15 @@ static void a_cut_off_must_leave_a_cone_and_something_outside_it(void **state)
 {
     (void)state;
     check_value(spot[1].cos_cutoff, 1, "spot light 1: cos_cutoff is 1; valid: more than");
+    check_value(spot[1].cos_cutoff, -1.5f, "valid: more than -1 and less than 1; or -2");
     check_value(spot[1].cos_cutoff, -1,
                 "spot light 1: cos_cutoff is -1; valid: more than");
     struct writable w = containers();
     w.spot[1].cos_cutoff = nextafterf(1, 0);
     assert_true(sb_scene_validate(&w.scene, NULL));
     w.spot[1].cos_cutoff = nextafterf(-1, 0);
+    assert_true(sb_scene_validate(&w.scene, NULL));
+    sb_light_set_cone(&w.spot[1], 0, acos(-1)); // no cone
     assert_true(sb_scene_validate(&w.scene, NULL));
     sb_scene_free(&w.scene);
 }

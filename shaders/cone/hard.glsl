@@ -11,5 +11,6 @@ P_ATTENUATION float cone_naive(SpotLight light, P_ATTENUATION vec3 from_light)
 {
     P_ATTENUATION float cut_off = light.cutoff;
     P_ATTENUATION float a = acos(dot(from_light, cone_axis(light)));
+    PROBE_RAW(TERM_CONE, a)
     return CUT(a <= cut_off, 1.0);
 }

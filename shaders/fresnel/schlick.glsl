@@ -17,7 +17,9 @@ P_SPECULAR float schlick_robust(P_SPECULAR float c)
 // The power of a negative base is undefined (GLSL 4.60, 8.2).
 P_SPECULAR float schlick_naive(P_SPECULAR float c)
 {
-    return pow(1.0 - abs(c), 5.0);
+    P_SPECULAR float power = pow(1.0 - abs(c), 5.0);
+    PROBE_RAW(TERM_SPECULAR, power)
+    return power;
 }
 
 P_COLOR vec3 reflectance(P_COLOR vec3 f0, P_SPECULAR float c)

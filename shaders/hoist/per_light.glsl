@@ -15,16 +15,23 @@ P_ATTENUATION vec3 cone_axis(SpotLight light)
     return unit(axis);
 }
 
-P_ATTENUATION float cosine_of(P_ATTENUATION float angle)
+// From half a turn on there is no cone, as lights that are made once have it (src/scene/lights.h).
+bool is_cone(P_ATTENUATION float cutoff)
 {
-    return cos(angle);
+    P_ATTENUATION float half_turn = 3.1415925;
+    return cutoff < half_turn;
+}
+
+P_ATTENUATION float cosine_of(P_ATTENUATION float cutoff)
+{
+    return is_cone(cutoff) ? cos(cutoff) : -2.0;
 }
 
 // 1 - cos a = 2 sin^2(a / 2), which does not cancel.
-P_ATTENUATION float inv_one_minus_cos_of(P_ATTENUATION float angle)
+P_ATTENUATION float inv_one_minus_cos_of(P_ATTENUATION float cutoff)
 {
-    P_ATTENUATION float s = sin(0.5 * angle);
-    return 0.5 / (s * s);
+    P_ATTENUATION float s = sin(0.5 * cutoff);
+    return is_cone(cutoff) ? 0.5 / (s * s) : 0.0;
 }
 
 // Scale and offset of the cosine, from the inner and the outer angle.
@@ -32,11 +39,17 @@ P_ATTENUATION vec2 ramp_of(P_ATTENUATION vec2 angles)
 {
     P_ATTENUATION vec2 cosines = cos(angles);
     P_ATTENUATION float scale = 1.0 / max(cosines.x - cosines.y, 1.0 / 1024.0);
-    return vec2(scale, -cosines.y * scale);
+    return is_cone(angles.y) ? vec2(scale, -cosines.y * scale) : vec2(0.0, 1.0);
+}
+
+// Outer and inner cosine.
+P_ATTENUATION vec2 edges_of(P_ATTENUATION vec2 angles)
+{
+    return is_cone(angles.y) ? cos(angles.yx) : vec2(-2.0, -1.0);
 }
 
 // Macros, since a light has what its cone reads and no more.
 #define CONE_COS_CUTOFF(light)        cosine_of(light.cutoff)
 #define CONE_INV_ONE_MINUS_COS(light) inv_one_minus_cos_of(light.cutoff)
 #define CONE_RAMP(light)              ramp_of(vec2(light.inner, light.cutoff))
-#define CONE_EDGES(light)             cos(vec2(light.cutoff, light.inner))
+#define CONE_EDGES(light)             edges_of(vec2(light.inner, light.cutoff))

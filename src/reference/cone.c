@@ -48,29 +48,37 @@ static struct angle angle_of(const struct sb_ref_choice *choice,
     return (struct angle){c, rest, c + excess * c, rest - excess * c};
 }
 
+// The float next to a quarter turn is a little more, and stands for it.
+static double cut_off(const struct sb_light *light)
+{
+    return light->cutoff == (float)(SB_PI / 2) ? SB_PI / 2 : light->cutoff;
+}
+
 static double one_minus_cut_off(const struct sb_ref_choice *choice,
                                 const struct sb_light *light)
 {
     if (!choice->makes_cone)
         return 1 - (double)light->cos_cutoff;
-    const double half = sin(0.5 * (double)light->cutoff);
+    if (cut_off(light) ==
+        SB_PI / 2) // exactly: what is level with the light is decided by it
+        return 1;
+    const double half = sin(0.5 * cut_off(light));
     return 2 * half * half;
 }
 
 // cos inner - cos outer = 2 sin((outer + inner) / 2) sin((outer - inner) / 2)
 static double inner_less_outer(const struct sb_light *light)
 {
-    const double outer = light->cutoff, inner = light->inner;
+    const double outer = cut_off(light), inner = light->inner;
     return 2 * sin(0.5 * (outer + inner)) * sin(0.5 * (outer - inner));
 }
 
-// cos^exponent with the cosine clamped to [1e-4, 1]. OpenGL 2.1, 2.14.1.
+// cos^exponent with the cosine clamped to [1e-4, 1]. OpenGL 2.1, 2.14.1. Of the angle itself: the
+// length of a rounded axis would count as often as the exponent says.
 static double exponent(const struct sb_light *light, const struct angle *angle)
 {
-    if (angle->one_minus_product <= 0)
-        return 1;
-    const double log_cos = angle->product > 0.5 ? log1p(-angle->one_minus_product)
-                                                : log(fmax(angle->product, 1e-4));
+    const double log_cos =
+        angle->cos > 0.5 ? log1p(-angle->one_minus_cos) : log(fmax(angle->cos, 1e-4));
     return exp(light->exponent * log_cos);
 }
 
@@ -117,6 +125,12 @@ void sb_ref_cone(const struct sb_ref_choice *choice, const struct sb_light *ligh
                  struct sb_ref_incident *incident)
 {
     const struct angle angle = angle_of(choice, light, incident);
+    if (light->cutoff >= (float)SB_PI) { // no cone
+        incident->in_cone = true;
+        incident->cone = 1;
+        incident->cone_margin = INFINITY;
+        return;
+    }
     switch (choice->cone) {
     case SB_CONE_LINEAR:
         incident->cone = linear(choice, light, &angle);

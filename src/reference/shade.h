@@ -7,7 +7,8 @@
 // Conventions where a formula is undefined (the same as the robust GLSL's): the unit vector of
 // a zero vector is zero; the polynomial attenuation's divisor is at least 1e-4; pow(0, 0) = 1
 // cannot occur, shininess being above 0; a tangent frame whose determinant is at most 1/1024 leaves
-// the normal as it is; a cone's cosine is clamped to [1e-4, 1] under its exponent.
+// the normal as it is; a cone's cosine is clamped to [1e-4, 1] under its exponent; the float next to a
+// quarter turn of cut-off is one, and from that next to half a turn on there is no cone.
 #pragma once
 
 #include "reference/geometry.h"

@@ -36,7 +36,7 @@
     DIRECTION(""), \
     FIELD(cos_cutoff,        1, SB_COSINE, \
           "layout=unified|hoist=once,cone!=smooth|hoist=once,f_cone=naive"), \
-    FIELD(cos_inner,         1, SB_COSINE,       "hoist=once,f_cone=naive," RAMP), \
+    FIELD(cos_inner,         1, SB_FINITE,       "hoist=once,f_cone=naive," RAMP), \
     FIELD(exponent,          1, SB_NOT_NEGATIVE, "cone!=hard,cone!=linear,cone!=smooth"), \
     FIELD(inv_one_minus_cos, 1, SB_NOT_NEGATIVE, \
           "hoist=once,cone!=hard,cone!=exponent,cone!=smooth"), \
@@ -185,9 +185,27 @@ int sb_lights_unified_slots(const struct sb_variant *variant)
 
 // --- making them -----------------------------------------------------------------------
 
+// The float nearest to a quarter turn is a little more than one: its cosine of -4.4e-8 would light
+// what a quarter turn only grazes.
+static double cone_cosine(double angle)
+{
+    return (float)angle == (float)(SB_PI / 2) ? 0 : cos(angle);
+}
+
+static void set_no_cone(struct sb_light *light)
+{
+    light->cos_cutoff = SB_COS_NO_CONE;
+    light->cos_inner = -1;
+    light->exponent = 0;
+    light->inv_one_minus_cos = 0;
+    light->cone_scale = 0;
+    light->cone_offset = 1;
+}
+
 void sb_light_set_cone(struct sb_light *light, double inner, double outer)
 {
-    const double cos_inner = cos(inner), cos_outer = cos(outer), half = sin(outer / 2);
+    const double cos_inner = cone_cosine(inner), cos_outer = cone_cosine(outer);
+    const double half = sin(outer / 2);
     const double scale = 1 / fmax(cos_inner - cos_outer, 1.0 / 1024);
     light->cutoff = (float)outer;
     light->inner = (float)inner;
@@ -196,6 +214,8 @@ void sb_light_set_cone(struct sb_light *light, double inner, double outer)
     light->inv_one_minus_cos = (float)(1 / (2 * half * half)); // 1 - cos a = 2 sin^2(a/2)
     light->cone_scale = (float)scale;
     light->cone_offset = (float)(-cos_outer * scale);
+    if (light->cutoff >= (float)SB_PI)
+        set_no_cone(light);
 }
 
 struct sb_light sb_light_unified(const struct sb_light *light, enum sb_light_type type)

@@ -112,8 +112,12 @@ size_t sb_light_std140_offset(const struct sb_light_members *members, int number
 // --- making them -----------------------------------------------------------------------
 
 // Sets every member that follows from the half angles of the cone, in radians, computed
-// in double: 1 - cos(outer) in float would lose what a narrow cone is made of. 0 <= inner
-// <= outer, 0 < outer < pi.
+// in double: 1 - cos(outer) in float would lose what a narrow cone is made of. 0 < outer; of an
+// outer angle of 0 the cosine is 1, which sb_scene_validate refuses. An inner angle that is not
+// the smaller makes the steepest ramp that there is, which ends at the outer one. A quarter turn
+// has the cosine 0. From half a turn on there is no cone, and no exponent (OpenGL 2.1, equation
+// 2.8): the share is 1 everywhere, on the axis behind the light too.
+#define SB_COS_NO_CONE (-2.0f) // less than all that rounding makes of -1
 void sb_light_set_cone(struct sb_light *light, double inner, double outer);
 
 // Turns a light of any type into what layout=unified tells types apart by: w, and the cut-off

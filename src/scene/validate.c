@@ -14,7 +14,8 @@ static const struct {
 } ranges[] = {
     [SB_FINITE] = {-FLT_MAX, FLT_MAX, "a finite number"},
     [SB_NOT_NEGATIVE] = {0, FLT_MAX, "a finite number of 0 or more"},
-    [SB_COSINE] = {-1 + 0x1p-24, 1 - 0x1p-24, "more than -1 and less than 1"},
+    [SB_COSINE] = {-1 + 0x1p-24, 1 - 0x1p-24,
+                   "more than -1 and less than 1; or -2, no cone"},
     [SB_HALF_ANGLE] = {0, (float)SB_PI, "0 or more, at most pi"},
     [SB_SHININESS] = {1e-3f, FLT_MAX, "a finite number of 0.001 or more"},
 };
@@ -85,6 +86,8 @@ static bool check_fields(const struct subject *it, const void *data,
         for (int i = 0; i < field->components; i++) {
             if (value[i] >= ranges[field->range].min &&
                 value[i] <= ranges[field->range].max)
+                continue;
+            if (field->range == SB_COSINE && value[i] == SB_COS_NO_CONE)
                 continue;
             char number[32], component[16] = "";
             if (field->components > 1)

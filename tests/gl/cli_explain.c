@@ -97,7 +97,8 @@ static real cone_of(const struct variant *v, const json_t *light, struct v3 to_l
     const bool inside = a >= scalar(light, "cos_cutoff");
     if (strcmp(v->cone, "hard") == 0)
         return inside;
-    return inside ? powl(clamp(a, 1e-4L, 1), scalar(light, "exponent")) : 0;
+    const real c = a / size_of(vector(light, "direction"));
+    return inside ? powl(clamp(c, 1e-4L, 1), scalar(light, "exponent")) : 0;
 }
 
 static struct v3 on_segment(struct v3 to_centre, struct v3 axis, real t)

@@ -75,7 +75,8 @@ static inline void decide(struct textbook *it, wide a, wide b)
 }
 
 // hoist=once has the floats that were uploaded: the axis with the length that rounding left it
-// in products, but for cone=linear, which is about the angle and divides by 1 - cos.
+// in products, but for cone=linear, which is about the angle and divides by 1 - cos, and for the
+// power of cone=exponent.
 static inline wide textbook_cone(const struct world *world, const struct sb_light *light,
                                  struct wide3 to_light, struct textbook *it)
 {
@@ -85,7 +86,12 @@ static inline wide textbook_cone(const struct world *world, const struct sb_ligh
     if (!once || linear)
         axis = unit3(axis);
     const wide cos_a = negative(dot(to_light, axis));
-    const wide edge = once ? of(light->cos_cutoff) : cosine(of(light->cutoff));
+    const wide of_angle = negative(dot(to_light, unit3(axis)));
+    const bool quarter =
+        light->cutoff == (float)(SB_PI / 2); // stands for one, and is more
+    const wide edge = once      ? of(light->cos_cutoff)
+                      : quarter ? of(0)
+                                : cosine(of(light->cutoff));
     if (linear) {
         const wide inverse =
             once ? of(light->inv_one_minus_cos) : over(of(1), minus(of(1), edge));
@@ -105,7 +111,7 @@ static inline wide textbook_cone(const struct world *world, const struct sb_ligh
         return of(0);
     return chosen(world, SB_AXIS_CONE, SB_CONE_HARD)
                ? of(1)
-               : power(clamped(cos_a, 1e-4, 1), of(light->exponent));
+               : power(clamped(of_angle, 1e-4, 1), of(light->exponent));
 }
 
 // --- area lights: Karis 2013, as printed ----------------------------------------------------
