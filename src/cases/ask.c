@@ -71,6 +71,15 @@ int sb_case_lights_asked(const struct sb_case *it, const struct sb_points *point
     return 0;
 }
 
+static bool right_variant(const struct sb_case_env *env, const struct sb_case *it,
+                          const struct sb_case_setting *setting, struct sb_variant *right,
+                          struct sb_error *err)
+{
+    *right = *setting->variant;
+    return !it->right || (assign(env->axes, it->right, right, err) &&
+                          sb_variant_resolve(env->axes, right, err));
+}
+
 bool sb_case_unit_open(struct sb_unit *unit, const struct sb_case_env *env,
                        const struct sb_variant *variant, struct sb_error *err)
 {
@@ -93,13 +102,15 @@ bool sb_case_ask_points(const struct sb_case_env *env, const struct sb_case *it,
     struct sb_unit unit = {0};
     struct sb_unit_told told = {0};
     struct sb_points_truth truth = {0};
+    struct sb_variant right;
     if (sb_case_precisions[setting->precision].half && !it->keeps_inputs)
         sb_points_round(points);
     const bool good =
+        right_variant(env, it, setting, &right, err) &&
         sb_case_unit_open(&unit, env, setting->variant, err) &&
         sb_unit_light(&unit, points, sb_case_lights_asked(it, points), &told, err);
     if (good) {
-        sb_points_truth_make(points, setting->variant, &truth);
+        sb_points_truth_make(points, &right, &truth);
         const struct sb_judged judged = {it, setting, points, &told, &truth};
         sb_judge_all(&judged, outcome);
     }

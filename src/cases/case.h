@@ -130,6 +130,9 @@ struct sb_case {
     const char
         *holds;  // why the naive form passes here too; NULL: it should not everywhere
     bool on_cpu; // the catalogue's remedy is on the CPU: `refused` passes
+    // Assignments over all, of the variant whose ideal is right where a form asks for another
+    // picture; NULL: the form's own, as always with a scale.
+    const char *right;
 };
 
 struct sb_case_family {
