@@ -126,6 +126,22 @@ static void a_direction_must_point_somewhere(void **state)
     sb_scene_free(&w.scene);
 }
 
+// Differences of places must have a square that is a float.
+static void places_are_not_too_far_away(void **state)
+{
+    (void)state;
+    check_value(
+        point[2].position[1], 3e19f,
+        "point light 2: position[1] is 3.000000104103097e+19; valid: -1e18 to 1e18");
+    check_value(scene.camera.eye[0], -2e18f, "camera.eye[0] is -");
+    check_value(draw[3].model[13], 2e18f, "draw 3: vertex 0 is placed at 2e+18; valid: ");
+    check_value(vertex[7].position[2], 3e38f, "vertex 7 is placed at ");
+    struct writable w = containers();
+    w.point[2].position[1] = 1e18f;
+    assert_true(sb_scene_validate(&w.scene, NULL));
+    sb_scene_free(&w.scene);
+}
+
 static void materials_draws_vertices_and_camera_are_checked_too(void **state)
 {
     (void)state;
@@ -160,6 +176,7 @@ int main(void)
         cmocka_unit_test(half_angles_lie_between_nothing_and_everything),
         cmocka_unit_test(attenuation_that_divides_by_zero_is_refused),
         cmocka_unit_test(a_direction_must_point_somewhere),
+        cmocka_unit_test(places_are_not_too_far_away),
         cmocka_unit_test(materials_draws_vertices_and_camera_are_checked_too),
         cmocka_unit_test(indices_and_numbers_stay_within_their_lists),
     };

@@ -20,7 +20,7 @@
 #define AMBIENT         FIELD(ambient,   3, SB_NOT_NEGATIVE, "ambient!=none,ambient!=scene")
 #define DIFFUSE         FIELD(diffuse,   3, SB_NOT_NEGATIVE, "")
 #define SPECULAR        FIELD(specular,  3, SB_NOT_NEGATIVE, "model!=lambert")
-#define POSITION        FIELD(position,  3, SB_FINITE, "")
+#define POSITION        FIELD(position,  3, SB_PLACE,  "")
 #define RANGE           FIELD(range,     1, SB_NOT_NEGATIVE, \
     "shadows>0|attenuation!=none,attenuation!=polynomial")
 

@@ -64,6 +64,7 @@ int sb_lights_unified_slots(const struct sb_variant *variant);
 // The values a field may have; the words for them stand in validate.c.
 enum sb_field_range {
     SB_FINITE,
+    SB_PLACE, // a coordinate, at most 1e18: so that squares of distances are floats
     SB_NOT_NEGATIVE,
     SB_COSINE,
     SB_HALF_ANGLE,

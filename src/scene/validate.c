@@ -7,12 +7,17 @@
 #include "math/vec.h"
 #include "scene/scene.h"
 
+// Differences of places have a square: (2 sqrt(3) 1e18)^2 = 1.2e37 is a float, while from
+// 1.8e19 on a distance has an infinite one, and no direction.
+#define SB_PLACE_MAX 1e18
+
 // Closed intervals of floats; the largest float below 1 is 1 - 2^-24.
 static const struct {
     double min, max;
     const char *words;
 } ranges[] = {
     [SB_FINITE] = {-FLT_MAX, FLT_MAX, "a finite number"},
+    [SB_PLACE] = {-SB_PLACE_MAX, SB_PLACE_MAX, "-1e18 to 1e18"},
     [SB_NOT_NEGATIVE] = {0, FLT_MAX, "a finite number of 0 or more"},
     [SB_COSINE] = {-1 + 0x1p-24, 1 - 0x1p-24,
                    "more than -1 and less than 1; or -2, no cone"},
@@ -43,7 +48,7 @@ static const struct sb_light_field draw_fields[] = {
 static const struct sb_light_field scene_fields[] = {
     FIELD(sb_scene, ambient,                3, SB_NOT_NEGATIVE),
     FIELD(sb_scene, clear_colour,           4, SB_NOT_NEGATIVE),
-    FIELD(sb_scene, camera.eye,             3, SB_FINITE),
+    FIELD(sb_scene, camera.eye,             3, SB_PLACE),
     FIELD(sb_scene, camera.view,           16, SB_FINITE),
     FIELD(sb_scene, camera.projection,     16, SB_FINITE),
     FIELD(sb_scene, camera.view_projection, 16, SB_FINITE),
@@ -183,6 +188,24 @@ static bool check_mesh(const struct sb_scene *scene, int number, struct sb_error
     return true;
 }
 
+// Where the model matrix, which is column-major, puts the vertices of a draw.
+static bool check_placed(const struct subject *it, const struct sb_draw *draw,
+                         const struct sb_mesh *mesh, struct sb_error *err)
+{
+    const float *m = draw->model;
+    for (int i = 0; i < mesh->vertex_count; i++) {
+        const float *v = mesh->vertex[i].position;
+        for (int r = 0; r < 3; r++) {
+            const double place = (double)m[r] * v[0] + (double)m[4 + r] * v[1] +
+                                 (double)m[8 + r] * v[2] + m[12 + r];
+            if (!(fabs(place) <= SB_PLACE_MAX))
+                return fail(it, err, "vertex %d is placed at %g; valid: %s", i, place,
+                            ranges[SB_PLACE].words);
+        }
+    }
+    return true;
+}
+
 static bool check_draw(const struct sb_scene *scene, int number, struct sb_error *err)
 {
     const struct sb_draw *draw = &scene->draw[number];
@@ -193,7 +216,8 @@ static bool check_draw(const struct sb_scene *scene, int number, struct sb_error
     if (draw->material < 0 || draw->material >= scene->material_count)
         return fail(&it, err, "material is %d; valid: 0 or more, less than %d",
                     draw->material, scene->material_count);
-    return CHECK_FIELDS(&it, draw, draw_fields, err);
+    return CHECK_FIELDS(&it, draw, draw_fields, err) &&
+           check_placed(&it, draw, &scene->mesh[draw->mesh], err);
 }
 
 static bool check_map(const struct sb_scene *scene, int number, struct sb_error *err)
