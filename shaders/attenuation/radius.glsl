@@ -5,7 +5,9 @@
 P_ATTENUATION float attenuation_robust(PointLight light, P_ATTENUATION float d)
 {
     P_ATTENUATION float range = light.range;
-    return d < range ? max(1.0 - d / range, 0.0) : 0.0;
+    P_ATTENUATION float left = d < range ? 1.0 - d / range : 0.0;
+    PROBE_RAW(TERM_ATTENUATION, left)
+    return max(left, 0.0);
 }
 
 P_ATTENUATION float attenuation_naive(PointLight light, P_ATTENUATION float d)

@@ -8,7 +8,9 @@
 P_ATTENUATION float attenuation_robust(PointLight light, P_ATTENUATION float d)
 {
     P_ATTENUATION float range = light.range;
-    P_ATTENUATION float q = d < range ? min(d / range, 1.0) : 1.0;
+    P_ATTENUATION float reached = d < range ? d / range : 1.0;
+    PROBE_RAW(TERM_ATTENUATION, reached)
+    P_ATTENUATION float q = min(reached, 1.0);
     P_ATTENUATION float window = 1.0 - q * q * q * q;
     return window * window / (d * d + 1.0);
 }
