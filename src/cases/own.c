@@ -1,0 +1,118 @@
+#include "cases/own.h"
+
+#include <math.h>
+#include <string.h>
+
+uint32_t sb_case_next_job(void)
+{
+    static uint32_t job = 3u << 29;
+    return job++;
+}
+
+void sb_outcome_measured(struct sb_outcome *outcome, enum sb_figure figure,
+                         double measured, double bound)
+{
+    const bool passes = measured <= bound; // NaN does not
+    const bool first = isnan(outcome->bound);
+    if (!first && outcome->verdict == SB_VERDICT_FAIL)
+        return;
+    if (!first && passes && measured * outcome->bound <= outcome->measured * bound)
+        return;
+    outcome->verdict = passes ? SB_VERDICT_PASS : SB_VERDICT_FAIL;
+    outcome->figure = figure;
+    outcome->of = SB_OF_COLOUR;
+    outcome->measured = measured;
+    outcome->bound = bound;
+}
+
+bool sb_case_unit_open(const struct sb_case_env *env,
+                       const struct sb_case_setting *setting, struct sb_unit *unit,
+                       struct sb_error *err)
+{
+    const struct sb_unit_params params = {
+        .axes = env->axes,
+        .variant = setting->variant,
+        .driver = env->driver,
+        .data_dir = env->data_dir,
+        .shaders = env->shaders,
+        .id = sb_case_next_job(),
+    };
+    return sb_unit_open(unit, &params, err);
+}
+
+// --- the upload path ----------------------------------------------------------------------
+
+// Drops the points that no scene may have; *first is why the first of them may not.
+static int drop_refused(struct sb_points *points, struct sb_error *first)
+{
+    const size_t lights = (size_t)points->lights;
+    int kept = 0, refused = 0;
+    for (int p = 0; p < points->count; p++) {
+        struct sb_points one = *points;
+        struct sb_error err = {0};
+        one.point = &points->point[p];
+        one.light = &points->light[(size_t)p * lights];
+        one.count = 1;
+        if (!sb_points_validate(&one, &err)) {
+            if (refused++ == 0)
+                *first = err;
+            continue;
+        }
+        points->point[kept] = points->point[p];
+        memmove(&points->light[(size_t)kept * lights], one.light,
+                lights * sizeof *one.light);
+        kept++;
+    }
+    points->count = kept;
+    return refused;
+}
+
+bool sb_case_run_upload(const struct sb_case_env *env, const struct sb_case *it,
+                        const struct sb_case_setting *setting, struct sb_outcome *outcome,
+                        struct sb_error *err)
+{
+    struct sb_points points;
+    struct sb_error why = {0};
+    int refused = 0;
+    bool good = true;
+    sb_points_init(&points, setting->variant);
+    it->points(&points, setting);
+    if (setting->form == SB_CASE_ROBUST)
+        refused = drop_refused(&points, &why);
+    if (points.count > 0)
+        good = sb_case_ask_points(env, it, setting, &points, outcome, err);
+    else
+        outcome->verdict = SB_VERDICT_REFUSED;
+    if (refused > 0)
+        sb_text_printf(&outcome->note, "%d of %d are refused: %s", refused,
+                       refused + points.count, why.text);
+    sb_points_free(&points);
+    return good;
+}
+
+// --- pictures -----------------------------------------------------------------------------
+
+bool sb_case_picture_open(const struct sb_case_env *env, const struct sb_variant *variant,
+                          const char *scene, struct sb_case_picture *picture,
+                          struct sb_error *err)
+{
+    *picture = (struct sb_case_picture){
+        .suite = {.name = "verify", .axes = *env->axes},
+        .entry = {.scene = scene, .variant = *variant, .id = (char *)"verify"},
+    };
+    picture->task.entry = &picture->entry;
+    const struct sb_prepare_params params = {
+        .suite = &picture->suite,
+        .driver = env->driver,
+        .data_dir = env->data_dir,
+        .shaders = env->shaders,
+    };
+    sb_task_prepare(&picture->task, &params, sb_case_next_job());
+    return picture->task.loaded ||
+           sb_fail(err, picture->task.status, "%s", sb_text_get(&picture->task.note));
+}
+
+void sb_case_picture_free(const struct sb_case_env *env, struct sb_case_picture *picture)
+{
+    sb_task_free(&picture->task, env->driver);
+}
