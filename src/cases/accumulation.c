@@ -92,7 +92,7 @@ static bool run_passes(const struct sb_case_env *env, const struct sb_case *it,
     it->points(&points, setting);
     if (sb_case_precisions[setting->precision].half)
         sb_points_round(&points);
-    const bool good = sb_case_unit_open(env, setting, &unit, err) &&
+    const bool good = sb_case_unit_open(&unit, env, setting->variant, err) &&
                       sb_unit_add(&unit, &points, PASSES, &sums, err);
     if (good) {
         double worst = 0;

@@ -14,9 +14,9 @@ bool sb_case_run_gouraud(const struct sb_case_env *env, const struct sb_case *it
                          struct sb_outcome *outcome, struct sb_error *err)
 {
     (void)it;
-    struct sb_case_picture picture;
+    struct sb_case_task picture;
     struct sb_truths *truths = sb_truths_new(env->axes);
-    const bool good = sb_case_picture_open(env, setting->variant, "plane", &picture, err);
+    const bool good = sb_case_task_open(env, setting->variant, "plane", &picture, err);
     if (good) {
         struct sb_task *task = &picture.task;
         sb_accuracy_measure(task, env->driver, truths);
@@ -33,7 +33,7 @@ bool sb_case_run_gouraud(const struct sb_case_env *env, const struct sb_case *it
         if (task->note.length)
             sb_text_printf(&outcome->note, "; %s", sb_text_get(&task->note));
     }
-    sb_case_picture_free(env, &picture);
+    sb_case_task_free(env, &picture);
     sb_truths_free(&truths);
     return good;
 }
@@ -43,10 +43,10 @@ bool sb_case_run_extrapolation(const struct sb_case_env *env, const struct sb_ca
                                struct sb_outcome *outcome, struct sb_error *err)
 {
     (void)it;
-    struct sb_case_picture picture;
+    struct sb_case_task picture;
     struct sb_image image = {0};
     const bool good =
-        sb_case_picture_open(env, setting->variant, "sphere", &picture, err) &&
+        sb_case_task_open(env, setting->variant, "sphere", &picture, err) &&
         env->driver->fns->image(
             env->driver->runner,
             &(struct sb_image_request){.job = picture.task.assembly.job.id}, &image, err);
@@ -60,6 +60,6 @@ bool sb_case_run_extrapolation(const struct sb_case_env *env, const struct sb_ca
         sb_outcome_measured(outcome, SB_FIGURE_FINITE, bad, 0);
     }
     sb_image_free(&image);
-    sb_case_picture_free(env, &picture);
+    sb_case_task_free(env, &picture);
     return good;
 }

@@ -36,7 +36,7 @@ static bool tell(const struct sb_case_env *env, const struct sb_case_setting *se
                  struct sb_error *err)
 {
     struct sb_unit unit = {0};
-    const bool good = sb_case_unit_open(env, setting, &unit, err) &&
+    const bool good = sb_case_unit_open(&unit, env, setting->variant, err) &&
                       sb_unit_light(&unit, points, points->lights, told, err);
     sb_unit_close(&unit);
     return good;
@@ -102,12 +102,12 @@ static bool repeat(const struct sb_case_env *env, const struct sb_case_setting *
 static bool draw(const struct sb_case_env *env, const struct sb_variant *variant,
                  struct sb_image *image, struct sb_error *err)
 {
-    struct sb_case_picture picture = {0};
+    struct sb_case_task picture = {0};
     struct sb_image_request request = {.wide = true};
-    bool good = sb_case_picture_open(env, variant, "sphere", &picture, err);
+    bool good = sb_case_task_open(env, variant, "sphere", &picture, err);
     request.job = picture.task.assembly.job.id;
     good = good && env->driver->fns->image(env->driver->runner, &request, image, err);
-    sb_case_picture_free(env, &picture);
+    sb_case_task_free(env, &picture);
     return good;
 }
 
@@ -214,15 +214,14 @@ bool sb_case_run_links(const struct sb_case_env *env, const struct sb_case *it,
         return run_rival(env, setting, outcome, err);
     for (size_t i = 0; i < sizeof variants / sizeof *variants; i++) {
         struct sb_variant variant;
-        struct sb_case_picture picture = {0};
+        struct sb_case_task picture = {0};
         struct sb_error why = {0};
         if (!sb_case_variant(env, it, setting->form, setting->precision, false,
                              variants[i], &variant, err))
             return false;
-        if (!sb_case_picture_open(env, &variant, "sphere", &picture, &why) &&
-            failed++ == 0)
+        if (!sb_case_task_open(env, &variant, "sphere", &picture, &why) && failed++ == 0)
             sb_text_printf(&outcome->note, "%s: %s", variants[i], why.text);
-        sb_case_picture_free(env, &picture);
+        sb_case_task_free(env, &picture);
     }
     sb_outcome_measured(outcome, SB_FIGURE_OWN, failed, 0);
     return true;

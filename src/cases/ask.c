@@ -80,17 +80,22 @@ static bool right_variant(const struct sb_case_env *env, const struct sb_case *i
                           sb_variant_resolve(env->axes, right, err));
 }
 
+uint32_t sb_case_next_job(void)
+{
+    static uint32_t job = 1u << 30; // apart from those of plans
+    return job++;
+}
+
 bool sb_case_unit_open(struct sb_unit *unit, const struct sb_case_env *env,
                        const struct sb_variant *variant, struct sb_error *err)
 {
-    static uint32_t job = 1u << 30; // apart from those of tasks
     const struct sb_unit_params params = {
         .axes = env->axes,
         .variant = variant,
         .driver = env->driver,
         .data_dir = env->data_dir,
         .shaders = env->shaders,
-        .id = job++,
+        .id = sb_case_next_job(),
     };
     return sb_unit_open(unit, &params, err);
 }

@@ -195,7 +195,7 @@ static bool run_bright(const struct sb_case_env *env, const struct sb_case *it,
         for (int l = 0; l < points.lights; l++)
             *sb_points_light(&drawn, 2 * p, l) = *sb_points_light(&points, p, l);
     }
-    const bool good = sb_case_unit_open(env, setting, &unit, err) &&
+    const bool good = sb_case_unit_open(&unit, env, setting->variant, err) &&
                       sb_unit_add(&unit, &drawn, 2, &sums, err);
     if (good) {
         sb_points_truth_make(&points, setting->variant, &truth);

@@ -4,7 +4,10 @@
 #include "cases/case.h"
 #include "cases/unit.h"
 
-// A unit for points of a case: its job has a number that no task's has.
+// A number for a job of the cases, that no plan's has.
+uint32_t sb_case_next_job(void);
+
+// A unit for points of a case.
 bool sb_case_unit_open(struct sb_unit *unit, const struct sb_case_env *env,
                        const struct sb_variant *variant, struct sb_error *err);
 

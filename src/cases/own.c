@@ -3,12 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-uint32_t sb_case_next_job(void)
-{
-    static uint32_t job = 3u << 29;
-    return job++;
-}
-
 void sb_outcome_measured(struct sb_outcome *outcome, enum sb_figure figure,
                          double measured, double bound)
 {
@@ -23,21 +17,6 @@ void sb_outcome_measured(struct sb_outcome *outcome, enum sb_figure figure,
     outcome->of = SB_OF_COLOUR;
     outcome->measured = measured;
     outcome->bound = bound;
-}
-
-bool sb_case_unit_open(const struct sb_case_env *env,
-                       const struct sb_case_setting *setting, struct sb_unit *unit,
-                       struct sb_error *err)
-{
-    const struct sb_unit_params params = {
-        .axes = env->axes,
-        .variant = setting->variant,
-        .driver = env->driver,
-        .data_dir = env->data_dir,
-        .shaders = env->shaders,
-        .id = sb_case_next_job(),
-    };
-    return sb_unit_open(unit, &params, err);
 }
 
 // --- the upload path ----------------------------------------------------------------------
@@ -90,29 +69,28 @@ bool sb_case_run_upload(const struct sb_case_env *env, const struct sb_case *it,
     return good;
 }
 
-// --- pictures -----------------------------------------------------------------------------
+// --- tasks --------------------------------------------------------------------------------
 
-bool sb_case_picture_open(const struct sb_case_env *env, const struct sb_variant *variant,
-                          const char *scene, struct sb_case_picture *picture,
-                          struct sb_error *err)
+bool sb_case_task_open(const struct sb_case_env *env, const struct sb_variant *variant,
+                       const char *scene, struct sb_case_task *one, struct sb_error *err)
 {
-    *picture = (struct sb_case_picture){
+    *one = (struct sb_case_task){
         .suite = {.name = "verify", .axes = *env->axes},
         .entry = {.scene = scene, .variant = *variant, .id = (char *)"verify"},
     };
-    picture->task.entry = &picture->entry;
+    one->task.entry = &one->entry;
     const struct sb_prepare_params params = {
-        .suite = &picture->suite,
+        .suite = &one->suite,
         .driver = env->driver,
         .data_dir = env->data_dir,
         .shaders = env->shaders,
     };
-    sb_task_prepare(&picture->task, &params, sb_case_next_job());
-    return picture->task.loaded ||
-           sb_fail(err, picture->task.status, "%s", sb_text_get(&picture->task.note));
+    sb_task_prepare(&one->task, &params, sb_case_next_job());
+    return one->task.loaded ||
+           sb_fail(err, one->task.status, "%s", sb_text_get(&one->task.note));
 }
 
-void sb_case_picture_free(const struct sb_case_env *env, struct sb_case_picture *picture)
+void sb_case_task_free(const struct sb_case_env *env, struct sb_case_task *one)
 {
-    sb_task_free(&picture->task, env->driver);
+    sb_task_free(&one->task, env->driver);
 }

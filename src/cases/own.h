@@ -1,22 +1,13 @@
-// What cases share that do more than ask about points: the upload path, units and pictures.
+// What cases share that do more than ask about points: the upload path, figures and tasks.
 #pragma once
 
-#include "cases/case.h"
-#include "cases/unit.h"
+#include "cases/judge.h"
 #include "measure/task.h"
 
 // Takes one more figure of a case down: the first that fails stays, else the one that comes nearest
 // to its bound. *outcome must be as sb_case_ask hands it to `run`.
 void sb_outcome_measured(struct sb_outcome *outcome, enum sb_figure figure,
                          double measured, double bound);
-
-// A job number apart from those of plans and of cases that only ask about points.
-uint32_t sb_case_next_job(void);
-
-// The variant of a setting as a unit: of the same shaders, under a job number of its own.
-bool sb_case_unit_open(const struct sb_case_env *env,
-                       const struct sb_case_setting *setting, struct sb_unit *unit,
-                       struct sb_error *err);
 
 // `run` of cases whose remedy is on the CPU. Naive: all of the case's points are lit, as if
 // nobody looked at what is uploaded. Robust: sb_scene_validate looks at them, each by itself, and
@@ -26,14 +17,13 @@ bool sb_case_run_upload(const struct sb_case_env *env, const struct sb_case *it,
                         const struct sb_case_setting *setting, struct sb_outcome *outcome,
                         struct sb_error *err);
 
-// A picture of a scene by the setting's variant, as a task that `run` could have: of a suite
-// that has nothing but it. Free it also after failure.
-struct sb_case_picture {
+// A variant and a scene as a task that `run` could have, of a suite that has nothing but it. Free
+// it also after failure.
+struct sb_case_task {
     struct sb_suite suite;
     struct sb_plan_entry entry;
     struct sb_task task;
 };
-bool sb_case_picture_open(const struct sb_case_env *env, const struct sb_variant *variant,
-                          const char *scene, struct sb_case_picture *picture,
-                          struct sb_error *err);
-void sb_case_picture_free(const struct sb_case_env *env, struct sb_case_picture *picture);
+bool sb_case_task_open(const struct sb_case_env *env, const struct sb_variant *variant,
+                       const char *scene, struct sb_case_task *one, struct sb_error *err);
+void sb_case_task_free(const struct sb_case_env *env, struct sb_case_task *one);

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "assemble/assemble.h"
+#include "cases/judge.h"
 
 static bool draw(const struct sb_driver *driver, struct sb_assembly *assembly,
                  struct sb_case_picture *picture, struct sb_error *err)
@@ -27,7 +27,6 @@ static bool draw(const struct sb_driver *driver, struct sb_assembly *assembly,
 bool sb_case_picture(const struct sb_case_picture_params *params,
                      struct sb_case_picture *picture, struct sb_error *err)
 {
-    static uint32_t job = 3u << 29; // apart from those of tasks and of units
     const struct sb_driver *driver = params->env->driver;
     const struct sb_assemble_params assemble = {
         .data_dir = params->env->data_dir,
@@ -36,7 +35,7 @@ bool sb_case_picture(const struct sb_case_picture_params *params,
         .scene = params->scene,
         .variant = params->variant,
         .caps = &driver->caps,
-        .id = job++,
+        .id = sb_case_next_job(),
     };
     struct sb_assembly assembly = {0};
     const bool good =

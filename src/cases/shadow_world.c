@@ -7,24 +7,8 @@ static bool draw(struct sb_shadow_world *world, enum sb_probe_page page,
                  struct sb_image *image, struct sb_error *err)
 {
     const struct sb_image_request request = {
-        .job = world->task.assembly.job.id, .kind = SB_IMAGE_PROBE, .page = page};
+        .job = world->drawn.task.assembly.job.id, .kind = SB_IMAGE_PROBE, .page = page};
     return world->driver->fns->image(world->driver->runner, &request, image, err);
-}
-
-static bool prepare(struct sb_shadow_world *world, const struct sb_case_env *env,
-                    struct sb_error *err)
-{
-    static uint32_t job = 3u << 29; // apart from those of tasks and of units
-    const struct sb_prepare_params params = {
-        .suite = &world->suite,
-        .driver = env->driver,
-        .data_dir = env->data_dir,
-        .shaders = env->shaders,
-    };
-    world->task.entry = &world->entry;
-    sb_task_prepare(&world->task, &params, job++);
-    return world->task.loaded ||
-           sb_fail(err, world->task.status, "%s", sb_text_get(&world->task.note));
 }
 
 bool sb_shadow_world_open(struct sb_shadow_world *world, const struct sb_case_env *env,
@@ -34,12 +18,10 @@ bool sb_shadow_world_open(struct sb_shadow_world *world, const struct sb_case_en
     const double *value = variant->value;
     int count;
     world->driver = env->driver;
-    world->suite.axes = *env->axes;
-    world->entry =
-        (struct sb_plan_entry){.scene = scene, .variant = *variant, .id = (char *)""};
     world->size = (int)value[SB_AXIS_SHADOW_SIZE];
     world->bias = value[SB_AXIS_SHADOW_BIAS];
-    if (!sb_scene_make(scene, variant, &world->scene, err) || !prepare(world, env, err))
+    if (!sb_scene_make(scene, variant, &world->scene, err) ||
+        !sb_case_task_open(env, variant, scene, &world->drawn, err))
         return false;
     const struct sb_light *light =
         sb_lights_of(&world->scene.lights, SB_LIGHT_POINT, &count);
@@ -59,7 +41,7 @@ void sb_shadow_world_close(struct sb_shadow_world *world)
     sb_image_free(&world->lit);
     sb_ref_geometry_free(&world->geometry);
     if (world->driver)
-        sb_task_free(&world->task, world->driver);
+        sb_task_free(&world->drawn.task, world->driver);
     sb_scene_free(&world->scene);
     *world = (struct sb_shadow_world){0};
 }
@@ -129,7 +111,7 @@ struct sb_vec3 sb_shadow_centre(const struct sb_shadow_world *world,
 bool sb_shadow_map_read(const struct sb_shadow_world *world, struct sb_image *map,
                         struct sb_error *err)
 {
-    const struct sb_image_request request = {.job = world->task.assembly.job.id,
+    const struct sb_image_request request = {.job = world->drawn.task.assembly.job.id,
                                              .kind = SB_IMAGE_SHADOW};
     return world->driver->fns->image(world->driver->runner, &request, map, err);
 }

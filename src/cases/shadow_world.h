@@ -2,15 +2,12 @@
 // rays in double: what the cases of shadows measure with. World space.
 #pragma once
 
-#include "cases/case.h"
-#include "measure/task.h"
+#include "cases/own.h"
 #include "reference/geometry.h"
 
 struct sb_shadow_world {
     const struct sb_driver *driver;
-    struct sb_suite suite; // its axes only
-    struct sb_plan_entry entry;
-    struct sb_task task;
+    struct sb_case_task drawn;
     struct sb_scene scene;
     struct sb_ref_geometry *geometry;
     struct sb_vec3 light; // where the caster is
