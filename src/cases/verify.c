@@ -2,9 +2,11 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <time.h>
 
 #include "base/mem.h"
 #include "cases/breaking.h"
+#include "cases/crew.h"
 
 static unsigned precisions_of(const struct sb_matrix_params *params)
 {
@@ -56,23 +58,110 @@ static bool is_asked_for(const struct sb_matrix_params *params, const struct sb_
     return params->count == 0;
 }
 
-void sb_matrix_ask(const struct sb_matrix_params *params, struct sb_matrix *matrix)
+static void add_all(const struct sb_matrix_params *params, struct sb_matrix *matrix)
 {
     for (int f = 0; f < SB_CASE_FAMILIES; f++)
         for (int i = 0; i < sb_case_families[f]->count; i++)
             if (is_asked_for(params, &sb_case_families[f]->row[i]))
                 add_case(params, &sb_case_families[f]->row[i], sb_case_families[f],
                          matrix);
-    const int total = matrix->count;
-    for (matrix->count = 0; matrix->count < total; matrix->count++) {
-        struct sb_matrix_cell *cell = &matrix->cell[matrix->count];
-        if (params->stop && params->stop(params->user))
-            return;
-        sb_case_ask(params->env, cell->it, cell->form, cell->precision, cell->vertex,
-                    &cell->outcome);
-        if (params->done)
-            params->done(params->user, cell, matrix->count + 1, total);
+}
+
+static bool is_stopped(const struct sb_matrix_params *params)
+{
+    return params->stop && params->stop(params->user);
+}
+
+static void ask_cell(const struct sb_matrix_params *params, struct sb_matrix_cell *cell)
+{
+    sb_case_ask(params->env, cell->it, cell->form, cell->precision, cell->vertex,
+                &cell->outcome);
+}
+
+// What a matrix that is being asked knows of its cells.
+struct asked {
+    const struct sb_matrix_params *params;
+    struct sb_matrix *matrix;
+    bool *known; // a cell
+    int count;
+};
+
+static void note_asked(struct asked *asked, int cell)
+{
+    asked->known[cell] = true;
+    asked->count++;
+    if (asked->params->done)
+        asked->params->done(asked->params->user, &asked->matrix->cell[cell], asked->count,
+                            asked->matrix->count);
+}
+
+static void gather(struct asked *asked)
+{
+    for (int i = 0; i < asked->matrix->count; i++)
+        if (!asked->known[i] &&
+            sb_crew_get(asked->params->crew, i, &asked->matrix->cell[i].outcome))
+            note_asked(asked, i);
+}
+
+static void ask_alone(struct asked *asked)
+{
+    for (int i = 0; i < asked->matrix->count && !is_stopped(asked->params); i++) {
+        ask_cell(asked->params, &asked->matrix->cell[i]);
+        note_asked(asked, i);
     }
+}
+
+static void ask_together(struct asked *asked)
+{
+    const struct timespec moment = {0, 20000000};
+    int cell;
+    while (!is_stopped(asked->params) &&
+           (cell = sb_crew_take(asked->params->crew)) < asked->matrix->count) {
+        ask_cell(asked->params, &asked->matrix->cell[cell]);
+        note_asked(asked, cell);
+        gather(asked);
+    }
+    while (sb_crew_works(asked->params->crew) && !is_stopped(asked->params)) {
+        gather(asked);
+        nanosleep(&moment, NULL);
+    }
+    gather(asked);
+}
+
+// What was not asked goes.
+static void keep_known(struct asked *asked)
+{
+    struct sb_matrix *matrix = asked->matrix;
+    int kept = 0;
+    for (int i = 0; i < matrix->count; i++)
+        if (asked->known[i])
+            matrix->cell[kept++] = matrix->cell[i];
+    matrix->count = kept;
+}
+
+void sb_matrix_ask(const struct sb_matrix_params *params, struct sb_matrix *matrix)
+{
+    add_all(params, matrix);
+    struct asked asked = {.params = params, .matrix = matrix};
+    asked.known = sb_alloc(((size_t)matrix->count + 1) * sizeof *asked.known);
+    if (params->crew)
+        ask_together(&asked);
+    else
+        ask_alone(&asked);
+    keep_known(&asked);
+    free(asked.known);
+}
+
+void sb_matrix_help(const struct sb_matrix_params *params)
+{
+    struct sb_matrix matrix = {0};
+    int cell;
+    add_all(params, &matrix);
+    while (!is_stopped(params) && (cell = sb_crew_take(params->crew)) < matrix.count) {
+        ask_cell(params, &matrix.cell[cell]);
+        sb_crew_put(params->crew, cell, &matrix.cell[cell].outcome);
+    }
+    sb_matrix_free(&matrix);
 }
 
 void sb_matrix_break(const struct sb_matrix_params *params, struct sb_matrix *matrix)

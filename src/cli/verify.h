@@ -29,6 +29,7 @@ struct sb_verify {
     struct sb_suite platform; // of the platform axes, one entry
     struct sb_driver driver;
     struct sb_case_env env;
+    struct sb_crew *crew; // other processes that ask cells; NULL: none
     // answers
     struct sb_matrix matrix;
     struct sb_cli_searched searched[SB_CASE_PRECISION_COUNT];

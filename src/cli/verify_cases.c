@@ -8,7 +8,9 @@
 #include "base/clock.h"
 #include "base/file.h"
 #include "base/log.h"
+#include "base/parallel.h"
 #include "base/words.h"
+#include "cases/crew.h"
 #include "cli/verify.h"
 #include "measure/interrupt.h"
 #include "results/case_file.h"
@@ -99,6 +101,59 @@ static const char *results_dir(struct sb_verify *verify)
     return sb_arena_printf(&verify->arena, "shadebench-results/verify-%s", now);
 }
 
+static bool open_driver(struct sb_verify *verify, const struct sb_driver_params *params,
+                        struct sb_error *err)
+{
+    verify->env = (struct sb_case_env){sb_axes_builtin(), &verify->driver, verify->data,
+                                       verify->options->shaders};
+    return sb_driver_connect(params, &verify->driver, err) &&
+           sb_driver_probe(&verify->driver, err);
+}
+
+static bool is_interrupted(void *user)
+{
+    (void)user;
+    return sb_interrupted();
+}
+
+static struct sb_matrix_params matrix_params(const struct sb_verify *verify)
+{
+    return (struct sb_matrix_params){
+        .env = &verify->env,
+        .it = verify->it,
+        .count = verify->case_count,
+        .forms = verify->forms,
+        .precisions = verify->precisions,
+        .stop = is_interrupted,
+    };
+}
+
+struct helping {
+    struct sb_verify *verify;
+    const struct sb_driver_params *params;
+};
+
+// In a process of its own. What is wrong with the driver, the first process says.
+static void help(void *user, struct sb_crew *crew)
+{
+    struct helping *helping = user;
+    struct sb_error err = {0};
+    if (!open_driver(helping->verify, helping->params, &err))
+        return;
+    struct sb_matrix_params params = matrix_params(helping->verify);
+    params.crew = crew;
+    sb_matrix_help(&params);
+}
+
+// A process for each processor, but for matrices of a few cells.
+static void start_crew(struct sb_verify *verify, const struct sb_driver_params *params)
+{
+    enum { FEW = 4 };
+    struct helping helping = {verify, params};
+    const bool few = verify->case_count > 0 && verify->case_count < FEW;
+    verify->crew = sb_crew_start(few ? 0 : sb_processors() - 1, help, &helping);
+}
+
 static bool open_all(struct sb_verify *verify, struct sb_error *err)
 {
     struct sb_driver_params params;
@@ -111,24 +166,18 @@ static bool open_all(struct sb_verify *verify, struct sb_error *err)
         !sb_cli_driver_params(verify->options, &verify->platform, &params, err))
         return false;
     sb_progress("opening the context and probing its precision");
-    // Timers are audited now, in the state that a run finds them in.
-    if (verify->options->time ? !sb_driver_examine(&params, &verify->driver, err)
-                              : !sb_driver_connect(&params, &verify->driver, err) ||
-                                    !sb_driver_probe(&verify->driver, err))
-        return false;
     verify->dir = results_dir(verify);
-    verify->env = (struct sb_case_env){sb_axes_builtin(), &verify->driver, verify->data,
-                                       verify->options->shaders};
-    return true;
+    // Timers are audited in the state that a run finds them in, and by a process that is alone.
+    if (verify->options->time) {
+        verify->env = (struct sb_case_env){sb_axes_builtin(), &verify->driver,
+                                           verify->data, verify->options->shaders};
+        return sb_driver_examine(&params, &verify->driver, err);
+    }
+    start_crew(verify, &params);
+    return open_driver(verify, &params, err);
 }
 
 // --- asking -------------------------------------------------------------------------------
-
-static bool is_interrupted(void *user)
-{
-    (void)user;
-    return sb_interrupted();
-}
 
 struct asking {
     struct sb_verify *verify;
@@ -178,18 +227,13 @@ static void worsen(struct sb_verify *verify, int code)
 
 static void ask_matrix(struct sb_verify *verify, struct asking *asking)
 {
-    struct sb_matrix_params params = {
-        .env = &verify->env,
-        .it = verify->it,
-        .count = verify->case_count,
-        .forms = verify->forms,
-        .precisions = verify->precisions,
-        .stop = is_interrupted,
-        .done = cell_done,
-        .user = asking,
-    };
+    struct sb_matrix_params params = matrix_params(verify);
+    params.crew = verify->crew;
+    params.done = cell_done;
+    params.user = asking;
     asking->what = "cell";
     sb_matrix_ask(&params, &verify->matrix);
+    sb_crew_end(&verify->crew);
     for (int i = 0; i < verify->matrix.count; i++)
         if (!sb_matrix_holds(&verify->matrix.cell[i]))
             worsen(verify, 1);
@@ -299,7 +343,9 @@ static bool rewrite_rows(struct sb_verify *verify, struct sb_case_file *file,
 static bool write_files(struct sb_verify *verify, const struct asking *asking,
                         struct sb_error *err)
 {
-    const bool later = verify->options->breaking || verify->options->time;
+    // Cells of a crew come in any order, too.
+    const bool later =
+        verify->options->breaking || verify->options->time || verify->matrix.count > 1;
     if (asking->failed)
         *err = asking->err;
     return !asking->failed && (!later || rewrite_rows(verify, asking->file, err)) &&
@@ -340,6 +386,7 @@ int sb_cli_verify_cases(const struct sb_options *options, int argc, char **argv,
     else
         verify->code = sb_cli_fail(err);
     const int code = verify->code;
+    sb_crew_end(&verify->crew);
     sb_case_file_close(&file);
     for (int i = 0; i < verify->searched_count; i++)
         sb_findings_free(&verify->searched[i].findings);
