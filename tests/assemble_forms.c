@@ -12,10 +12,10 @@ static const struct form {
     int axis;
     const char *function[FUNCTIONS]; // the plain names
 } forms[] = {
-    {SB_AXIS_F_UNIT, {"unit", "unit_difference"}},
+    {SB_AXIS_F_UNIT, {"unit", "unit_difference", "vertex_normal", "half_vector"}},
     {SB_AXIS_F_ATTENUATION, {"attenuation"}},
     {SB_AXIS_F_CONE, {"cone", "CONE_RAMP(light)", "CONE_EDGES(light)"}},
-    {SB_AXIS_F_HIGHLIGHT, {"specular_factor"}},
+    {SB_AXIS_F_HIGHLIGHT, {"specular_factor", "schlick"}},
     {SB_AXIS_F_AREA,
      {"ball_nearest", "ball_nearest_ray", "segment_nearest", "segment_nearest_ray"}},
     {SB_AXIS_F_FRAME, {"decoded_normal", "restored_normal", "normal_in_frame"}},
@@ -94,9 +94,10 @@ static void a_form_changes_its_functions_and_nothing_else(void **state)
         assert_int_equal(count_choices(form, shade_of(&robust, FRAGMENT)->text,
                                        shade_of(&naive, FRAGMENT)->text),
                          functions_of(form));
-        assert_int_equal(count_choices(form, shade_of(&robust, VERTEX)->text,
-                                       shade_of(&naive, VERTEX)->text),
-                         0);
+        // The vertex shader has a form of its own for normals, and so all of form.glsl.
+        assert_in_range(count_choices(form, shade_of(&robust, VERTEX)->text,
+                                      shade_of(&naive, VERTEX)->text),
+                        0, functions_of(form));
         for (int stage = 0; stage < STAGES; stage++) {
             const char *a = robust.source[SB_ROLE_SHADOW][stage].text;
             const char *b = naive.source[SB_ROLE_SHADOW][stage].text;

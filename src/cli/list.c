@@ -16,9 +16,10 @@
 
 // Everything listed is rows of words under titles.
 struct listing {
-    const char *title[8];
+    const char *title[12];
     int columns;
     json_t *rows; // array of arrays of strings
+    int shown;    // of the columns, as text; 0: all. JSON has them all
 };
 
 static void add(struct listing *listing, const char *const *cell)
@@ -205,12 +206,19 @@ static bool list_cases(struct listing *listing, const struct sb_options *options
 {
     (void)options;
     (void)err;
-    *listing = (struct listing){{"case", "family", "help"}, 3, listing->rows};
+    *listing = (struct listing){{"case", "family", "help", "formula", "given", "naive",
+                                 "robust", "holds", "source"},
+                                9,
+                                listing->rows,
+                                3};
     for (int f = 0; f < SB_CASE_FAMILIES; f++)
         for (int i = 0; i < sb_case_families[f]->count; i++) {
             const struct sb_case *it = &sb_case_families[f]->row[i];
-            add(listing,
-                (const char *const[]){it->id, sb_case_families[f]->name, it->help});
+            add(listing, (const char *const[]){it->id, sb_case_families[f]->name,
+                                               it->help, it->formula, it->given,
+                                               it->form[SB_CASE_NAIVE],
+                                               it->form[SB_CASE_ROBUST], it->holds,
+                                               it->source});
         }
     return true;
 }
@@ -230,12 +238,16 @@ enum { LIST_COUNT = sizeof lists / sizeof *lists };
 static void print_listing(const struct listing *listing)
 {
     struct sb_table *table = sb_table_new();
-    size_t r, c;
-    const json_t *row, *cell;
-    for (int i = 0; i < listing->columns; i++)
+    const int shown = listing->shown ? listing->shown : listing->columns;
+    size_t r;
+    const json_t *row;
+    for (int i = 0; i < shown; i++)
         sb_table_column(table, listing->title[i], false);
-    json_array_foreach(listing->rows, r, row) json_array_foreach(row, c, cell)
-        sb_table_cell(table, json_string_value(cell));
+    json_array_foreach(listing->rows, r, row)
+    {
+        for (int i = 0; i < shown; i++)
+            sb_table_cell(table, json_string_value(json_array_get(row, (size_t)i)));
+    }
     sb_table_print(table);
     sb_table_free(&table);
 }
