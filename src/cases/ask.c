@@ -164,11 +164,9 @@ void sb_case_ask(const struct sb_case_env *env, const struct sb_case *it,
         sb_case_variant(env, it, form, precision, vertex, NULL, &variant, &err) &&
         (it->run ? it->run(env, it, &setting, outcome, &err)
                  : ask_own_points(env, it, &setting, outcome, &err));
-    // What a driver has not is no failure; what does not compile is.
+    // What a driver has not is no failure. All else is: a shader that cannot be read, too.
     if (!good)
         not_to_be_had(outcome,
-                      err.status == SB_OVER_LIMIT || err.status == SB_BAD_INPUT
-                          ? SB_VERDICT_NA
-                          : SB_VERDICT_FAIL,
+                      err.status == SB_OVER_LIMIT ? SB_VERDICT_NA : SB_VERDICT_FAIL,
                       err.text);
 }

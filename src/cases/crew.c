@@ -135,16 +135,24 @@ bool sb_crew_works(struct sb_crew *crew)
     return works;
 }
 
+void sb_crew_stop(struct sb_crew *crew)
+{
+    for (int i = 0; i < crew->hands; i++) {
+        int status;
+        if (crew->pid[i] == 0)
+            continue;
+        kill(crew->pid[i], SIGKILL);
+        if (waitpid(crew->pid[i], &status, 0) == crew->pid[i])
+            bury(crew, i, status);
+    }
+}
+
 void sb_crew_end(struct sb_crew **crew)
 {
     struct sb_crew *it = *crew;
     if (!it)
         return;
-    for (int i = 0; i < it->hands; i++)
-        if (it->pid[i] != 0) {
-            kill(it->pid[i], SIGKILL);
-            waitpid(it->pid[i], NULL, 0);
-        }
+    sb_crew_stop(it);
     munmap(it->shared, sizeof *it->shared);
     free(it->got);
     free(it);

@@ -23,5 +23,8 @@ bool sb_crew_get(struct sb_crew *crew, int cell, struct sb_outcome *outcome);
 // Are hands still at work? Of one that died its cell is put as failed, with the reason.
 bool sb_crew_works(struct sb_crew *crew);
 
+// Takes hands that are still at work for dead: a driver may hang.
+void sb_crew_stop(struct sb_crew *crew);
+
 // Ends hands that are still at work, and frees. *crew becomes NULL.
 void sb_crew_end(struct sb_crew **crew);

@@ -121,7 +121,7 @@ static double angle_at(const struct sb_judged *judged, struct place at)
     const struct sb_vec3 a = vector_at(judged, told_at, at);
     const struct sb_vec3 b = vector_at(judged, right_at, at);
     const double length = sb_vec3_dot(a, a), wanted = sb_vec3_dot(b, b);
-    if (!isfinite(length))
+    if (!isfinite(length) || !isfinite(wanted))
         return INFINITY;
     if (length == 0 || wanted == 0)
         return length == wanted ? 0 : 180;
@@ -194,8 +194,8 @@ double sb_judge(const struct sb_judged *judged, const struct sb_criterion *crite
         return count_rises(judged, criterion->of, point);
     for (int p = 0; p < judged->points->count; p++) {
         const double one = sb_judge_point(judged, criterion, p);
-        if (one > worst) {
-            worst = one;
+        if (!(one <= worst)) { // a NaN too
+            worst = isnan(one) ? INFINITY : one;
             *point = p;
         }
     }
@@ -213,7 +213,7 @@ static double strain_of(double measured, double bound)
 {
     if (measured <= bound)
         return bound > 0 ? measured / bound : 0;
-    return bound > 0 ? measured / bound : INFINITY;
+    return bound > 0 && !isnan(measured) ? measured / bound : INFINITY;
 }
 
 void sb_judge_all(const struct sb_judged *judged, struct sb_outcome *outcome)

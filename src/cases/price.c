@@ -95,7 +95,7 @@ static enum reason add_case(const struct sb_axes *axes, const struct sb_case *it
     if (!find_guards(axes, &price, &price.guards)) {
         const bool equal = price.guards.length == 0;
         sb_text_free(&price.guards);
-        return !equal ? PRECISION : it->on_cpu || it->run ? ON_CPU : EQUAL;
+        return !equal ? PRECISION : it->on_cpu ? ON_CPU : EQUAL;
     }
     struct sb_price *other = same_pair(axes, prices, &price);
     if (other) {

@@ -130,8 +130,11 @@ static bool score_all(struct search *search, struct sb_points *points,
         spread_all(search, points, &truth, score);
         // In half precision an input's last place is 2^13 of binary32's.
         for (int p = 0; p < points->count; p++)
-            score[p].value = score[p].measured /
-                             fmax(bound, 4 * score[p].spread * (half ? 0x1p13 : 1));
+            score[p].value =
+                isinf(score[p].measured)
+                    ? INFINITY
+                    : score[p].measured /
+                          fmax(bound, 4 * score[p].spread * (half ? 0x1p13 : 1));
     }
     search->findings->asked += points->count;
     sb_points_truth_free(&truth);

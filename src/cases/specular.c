@@ -263,8 +263,9 @@ static const struct sb_case rows[] = {
         .criterion = {{SB_FIGURE_FINITE, 0, NAN, 0},
                       {SB_FIGURE_ABSOLUTE, SB_OF_COLOUR, NAN, 1.5}}, // as spec-pow-16
         .points = up_to_1024,
-        .holds = "where built-in functions are better than Vulkan allows, as llvmpipe's are; "
-                 "the emulation takes the allowed error",
+        .holds =
+            "where built-in functions are better than Vulkan allows, as llvmpipe's are; "
+            "the emulation takes the allowed error",
     },
     {
         .id = "pow-zero-zero",
@@ -279,8 +280,9 @@ static const struct sb_case rows[] = {
                       {SB_FIGURE_LEAKS, SB_TERM_specular, 0, 0}},
         .run = ask_zero_zero,
         .on_cpu = true,
-        .holds = "where pow(0, 0) happens to be 0 or 1, as in llvmpipe; the emulation has "
-                 "NaN",
+        .holds =
+            "where pow(0, 0) happens to be 0 or 1, as in llvmpipe; the emulation has "
+            "NaN",
     },
     {
         .id = "pow-negative-base",

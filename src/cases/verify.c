@@ -111,9 +111,26 @@ static void ask_alone(struct asked *asked)
     }
 }
 
+// Until all hands are done, or none has put a cell for so long that their driver must hang.
+static void wait_for_crew(struct asked *asked)
+{
+    enum { MOMENTS = 180 * 50 }; // three minutes
+    const struct timespec moment = {0, 20000000};
+    int before = asked->count;
+    for (int still = 0; sb_crew_works(asked->params->crew) && still < MOMENTS &&
+                        !is_stopped(asked->params);
+         still = asked->count == before ? still + 1 : 0) {
+        before = asked->count;
+        gather(asked);
+        nanosleep(&moment, NULL);
+    }
+    if (!is_stopped(asked->params))
+        sb_crew_stop(asked->params->crew);
+    gather(asked);
+}
+
 static void ask_together(struct asked *asked)
 {
-    const struct timespec moment = {0, 20000000};
     int cell;
     while (!is_stopped(asked->params) &&
            (cell = sb_crew_take(asked->params->crew)) < asked->matrix->count) {
@@ -121,11 +138,13 @@ static void ask_together(struct asked *asked)
         note_asked(asked, cell);
         gather(asked);
     }
-    while (sb_crew_works(asked->params->crew) && !is_stopped(asked->params)) {
-        gather(asked);
-        nanosleep(&moment, NULL);
-    }
-    gather(asked);
+    wait_for_crew(asked);
+    // What a hand had taken and never told of: it died before it could say which.
+    for (int i = 0; i < asked->matrix->count && !is_stopped(asked->params); i++)
+        if (!asked->known[i]) {
+            ask_cell(asked->params, &asked->matrix->cell[i]);
+            note_asked(asked, i);
+        }
 }
 
 // What was not asked goes.
@@ -172,14 +191,18 @@ void sb_matrix_break(const struct sb_matrix_params *params, struct sb_matrix *ma
     for (int i = 0; i < matrix->count; i++) {
         struct sb_matrix_cell *cell = &matrix->cell[i];
         struct sb_breaking breaking;
-        struct sb_error ignored; // the cell itself says why it cannot be asked
+        struct sb_error err = {0};
         if (!cell->it->scale.name)
             continue;
         if (params->stop && params->stop(params->user))
             return;
-        if (cell->outcome.verdict != SB_VERDICT_NA &&
-            sb_case_break(params->env, cell->it, cell->form, cell->precision,
-                          cell->vertex, &breaking, &ignored)) {
+        if (cell->outcome.verdict == SB_VERDICT_NA)
+            continue;
+        if (!sb_case_break(params->env, cell->it, cell->form, cell->precision,
+                           cell->vertex, &breaking, &err)) {
+            sb_text_printf(&cell->outcome.note, "%sno breaking point: %s",
+                           cell->outcome.note.length ? "; " : "", err.text);
+        } else {
             cell->broken = true;
             cell->holds_to = breaking.holds_to;
             cell->to_the_end = breaking.to_the_end;

@@ -214,11 +214,10 @@ static bool list_cases(struct listing *listing, const struct sb_options *options
     for (int f = 0; f < SB_CASE_FAMILIES; f++)
         for (int i = 0; i < sb_case_families[f]->count; i++) {
             const struct sb_case *it = &sb_case_families[f]->row[i];
-            add(listing, (const char *const[]){it->id, sb_case_families[f]->name,
-                                               it->help, it->formula, it->given,
-                                               it->form[SB_CASE_NAIVE],
-                                               it->form[SB_CASE_ROBUST], it->holds,
-                                               it->source});
+            add(listing,
+                (const char *const[]){it->id, sb_case_families[f]->name, it->help,
+                                      it->formula, it->given, it->form[SB_CASE_NAIVE],
+                                      it->form[SB_CASE_ROBUST], it->holds, it->source});
         }
     return true;
 }

@@ -176,7 +176,8 @@ static bool vertices(struct sb_local *local, struct sb_local_job *job,
             put_vertex(mapped + (size_t)i * CAPTURED, request->page,
                        image->data + (size_t)i * TOLD);
     }
-    glUnmapBuffer(GL_TRANSFORM_FEEDBACK_BUFFER);
+    if (mapped)
+        glUnmapBuffer(GL_TRANSFORM_FEEDBACK_BUFFER);
     glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
     glDeleteBuffers(1, &buffer);
     return ok;
