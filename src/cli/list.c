@@ -59,14 +59,14 @@ static bool list_files(struct listing *listing, const struct sb_options *options
 static bool list_suites(struct listing *listing, const struct sb_options *options,
                         struct sb_error *err)
 {
-    *listing = (struct listing){{"suite", "variants", "about"}, 3, listing->rows};
+    *listing = (struct listing){{"suite", "variants", "about"}, 3, listing->rows, 0};
     return list_files(listing, options, "bench", err);
 }
 
 static bool list_presets(struct listing *listing, const struct sb_options *options,
                          struct sb_error *err)
 {
-    *listing = (struct listing){{"preset", "variants", "about"}, 3, listing->rows};
+    *listing = (struct listing){{"preset", "variants", "about"}, 3, listing->rows, 0};
     return list_files(listing, options, "bench/presets", err);
 }
 
@@ -75,7 +75,7 @@ static bool list_scenes(struct listing *listing, const struct sb_options *option
 {
     (void)options;
     (void)err;
-    *listing = (struct listing){{"scene", "help"}, 2, listing->rows};
+    *listing = (struct listing){{"scene", "help"}, 2, listing->rows, 0};
     for (int i = 0; i < sb_scene_row_count; i++)
         add(listing, (const char *const[]){sb_scene_rows[i].name, sb_scene_rows[i].help});
     return true;
@@ -105,7 +105,8 @@ static bool list_axes(struct listing *listing, const struct sb_options *options,
     *listing = (struct listing){
         {"axis", "kind", "default", "values (* not implemented yet)", "when", "help"},
         6,
-        listing->rows};
+        listing->rows,
+        0};
     const struct sb_axes *axes = sb_axes_builtin();
     for (int a = 0; a < axes->count; a++) {
         const struct sb_axis *axis = &axes->row[a];
@@ -126,7 +127,7 @@ static bool list_contexts(struct listing *listing, const struct sb_options *opti
 {
     (void)options;
     (void)err;
-    *listing = (struct listing){{"context", "help"}, 2, listing->rows};
+    *listing = (struct listing){{"context", "help"}, 2, listing->rows, 0};
 #ifdef SB_HAVE_GL
     for (int i = 0; sb_contexts[i]; i++)
         add(listing, (const char *const[]){sb_contexts[i]->name, sb_contexts[i]->help});
@@ -140,7 +141,7 @@ static bool list_timers(struct listing *listing, const struct sb_options *option
 {
     (void)options;
     (void)err;
-    *listing = (struct listing){{"timer", "help"}, 2, listing->rows};
+    *listing = (struct listing){{"timer", "help"}, 2, listing->rows, 0};
 #ifdef SB_HAVE_GL
     for (int i = 0; sb_timers[i]; i++)
         add(listing, (const char *const[]){sb_timers[i]->name, sb_timers[i]->help});
@@ -164,7 +165,7 @@ static bool list_columns(struct listing *listing, const struct sb_options *optio
 {
     (void)options;
     (void)err;
-    *listing = (struct listing){{"file", "column", "help"}, 3, listing->rows};
+    *listing = (struct listing){{"file", "column", "help"}, 3, listing->rows, 0};
     add_columns(listing, "summary.csv", sb_summary_columns, sb_summary_column_count);
     add_columns(listing, "samples.csv", sb_sample_columns, sb_sample_column_count);
     add_columns(listing, "cases.csv", sb_case_columns, sb_case_column_count);
@@ -176,7 +177,7 @@ static bool list_settings(struct listing *listing, const struct sb_options *opti
 {
     (void)options;
     (void)err;
-    *listing = (struct listing){{"setting", "default", "help"}, 3, listing->rows};
+    *listing = (struct listing){{"setting", "default", "help"}, 3, listing->rows, 0};
     for (int i = 0; i < sb_measure_row_count; i++) {
         char init[32];
         add(listing, (const char *const[]){sb_measure_rows[i].name,
@@ -191,7 +192,7 @@ static bool list_statuses(struct listing *listing, const struct sb_options *opti
 {
     (void)options;
     (void)err;
-    *listing = (struct listing){{"status", "exit code", "help"}, 3, listing->rows};
+    *listing = (struct listing){{"status", "exit code", "help"}, 3, listing->rows, 0};
     for (int i = 0; i < SB_STATUS_COUNT; i++) {
         char code[16];
         snprintf(code, sizeof code, "%d", sb_status_rows[i].exit_code);
