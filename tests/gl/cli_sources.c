@@ -142,19 +142,20 @@ struct trial {
                // not tell; 0: the text has none
 };
 
-// Draws the preset's variants, and reads the dumps; returns their number.
+// Draws the preset's variants, and reads the dumps; returns their number. The texts ramp the cosine
+// of a soft cone in a straight line, which the naive smoothstep does not.
 static int draw(const struct trial *trial, struct dump *dumps, int room)
 {
     static struct answer answer;
     char line[1024], path[128];
     int count = 0;
-    snprintf(
-        line, sizeof line,
-        "run -q %s --preset %s --set precision=highp --set "
-        "p_color=highp --set target=rgba32f --set width=64 --set height=64 --set "
-        "form=naive --cross text=as_written,corrected %s --rounds 10 --first-look 10 "
-        "--budget 1 --batch 1 -o @/run-%s --dump @/dump-%s",
-        platform, trial->preset, trial->more, trial->name, trial->name);
+    snprintf(line, sizeof line,
+             "run -q %s --preset %s --set precision=highp --set "
+             "p_color=highp --set target=rgba32f --set width=64 --set height=64 --set "
+             "form=naive --set f_cone=robust --cross text=as_written,corrected %s "
+             "--rounds 10 --first-look 10 "
+             "--budget 1 --batch 1 -o @/run-%s --dump @/dump-%s",
+             platform, trial->preset, trial->more, trial->name, trial->name);
     run_program(&answer, line);
     if (answer.code != 0 && !no_timer(&answer)) {     // dumps are written all the same
         fprintf(stderr, "%s\n%s", line, answer.text); // cmocka cuts what is this long
