@@ -104,20 +104,42 @@ static double worst_angle(const struct model *model, const struct matrix *matrix
     return worst;
 }
 
-// Elements that are not finite, and normals that point into the surface: what lies on the outer
-// side of a surface is on the outer side of its image, or on the image itself where that is flat.
-static double count_bad(const struct sb_mat4 model, const struct matrix *matrix)
+// Is this the normal of an image? What lies on the outer side of a surface is on the outer side of
+// its image: M n . M^-T n = n . n > 0. Flat images have M n in their plane; there a normal stands
+// on it, of a length > 0 where the surface is not edge-on to the direction that is lost. Of a line
+// and of a point no normal is left, and any, as 0, will do that does not point inwards.
+static bool is_normal(const struct model *model, struct sb_vec3 normal,
+                      struct sb_vec3 outwards, struct sb_vec3 got)
 {
+    const double n[3] = {normal.x, normal.y, normal.z};
+    const double lengths = sb_vec3_length(got) * sb_vec3_length(outwards);
+    const double along = sb_vec3_dot(got, outwards);
+    int flat = -1, rank = 3;
+    for (int c = 0; c < 3; c++)
+        if (model->scale[c] == 0) {
+            flat = c;
+            rank--;
+        }
+    if (rank == 3)
+        return along > 0;
+    if (rank < 2)
+        return along >= -1e-6 * lengths;
+    return fabs(along) <= 1e-6 * lengths &&
+           (fabs(n[flat]) < 0.05 || sb_vec3_length(got) > 0);
+}
+
+// Elements that are not finite, and normals that are none of the surface.
+static double count_bad(const struct model *model, const struct matrix *matrix)
+{
+    const struct sb_mat4 m = matrix_of(model);
     struct sb_random random = sb_random_seed(5);
     double bad = 0;
     for (int i = 0; i < 9; i++)
         bad += !isfinite(matrix->m[i]);
     for (int i = 0; i < NORMALS; i++) {
         const struct sb_vec3 normal = sb_vectors_direction(&random);
-        const struct sb_vec3 outwards = sb_mat4_transform_point(model, normal);
-        const struct sb_vec3 got = turned(matrix, normal);
-        const double lengths = sb_vec3_length(got) * sb_vec3_length(outwards);
-        bad += !(sb_vec3_dot(got, outwards) >= -1e-6 * lengths);
+        const struct sb_vec3 outwards = sb_mat4_transform_point(m, normal);
+        bad += !is_normal(model, normal, outwards, turned(matrix, normal));
     }
     return bad;
 }
@@ -164,7 +186,7 @@ bool sb_vectors_singular(const struct sb_case_env *env, const struct sb_case *it
             const struct sb_mat4 m = matrix_of(&model);
             const struct matrix matrix =
                 setting->form == SB_CASE_NAIVE ? inverse_transpose(m) : uploaded(m);
-            bad += count_bad(m, &matrix);
+            bad += count_bad(&model, &matrix);
         }
     sb_vectors_judge(&it->criterion[0], setting, bad, outcome);
     return true;
