@@ -56,7 +56,7 @@ static bool is_same_triangle(const float *a, const float *b)
 }
 
 double sb_case_picture_compare(const struct sb_case_picture *a,
-                               const struct sb_case_picture *b)
+                               const struct sb_case_picture *b, double share)
 {
     double worst = 0;
     int same = 0;
@@ -73,5 +73,5 @@ double sb_case_picture_compare(const struct sb_case_picture *a,
                 worst = fmax(worst, isfinite(error) ? error : INFINITY);
             }
         }
-    return 2 * same < a->colour.width * a->colour.height ? INFINITY : worst;
+    return same < share * a->colour.width * a->colour.height ? INFINITY : worst;
 }

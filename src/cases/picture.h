@@ -20,7 +20,7 @@ bool sb_case_picture(const struct sb_case_picture_params *params,
 void sb_case_picture_free(struct sb_case_picture *picture);
 
 // The largest difference in colour, in steps of 1/255, over the pixels that show the same triangle
-// in both: what covers a pixel is a decision. Infinity where either is not finite, and where fewer
-// than half of the pixels show the same.
+// in both: what covers a pixel is a decision. Infinity where either is not finite, and where a smaller
+// share of the pixels than `share`, from 0 to 1, shows the same.
 double sb_case_picture_compare(const struct sb_case_picture *a,
-                               const struct sb_case_picture *b);
+                               const struct sb_case_picture *b, double share);
