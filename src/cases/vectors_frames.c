@@ -1,4 +1,6 @@
 // Tangent frames and normal maps.
+#include <math.h>
+
 #include "cases/vectors.h"
 
 static void put(float *out, struct sb_vec3 v)
@@ -62,8 +64,9 @@ static struct sb_point *add_texel(struct sb_points *points, struct sb_vec3 eye,
     return point;
 }
 
-// x and y as filtering and compression leave them, up to the corners of the square: all outside
-// of the circle, so that 0, which 128 stands for, is the z that is left.
+// x and y as filtering and compression leave them, up to the corners of the square: outside of the
+// circle, so that 0, which 128 stands for, is the z that is left. And inside of it, from the middle
+// to a slope of 60 degrees, where z is what the root says: 0 everywhere is not right.
 void sb_vectors_long_bumps(struct sb_points *points,
                            const struct sb_case_setting *setting)
 {
@@ -72,6 +75,13 @@ void sb_vectors_long_bumps(struct sb_points *points,
                                 {255, 160}, {30, 225},  {1, 255},   {219, 219}};
     for (size_t i = 0; i < sizeof xy / sizeof *xy; i++)
         add_texel(points, mirrored, (int[3]){xy[i][0], xy[i][1], 128});
+    static const int inside[][2] = {{128, 128}, {160, 100}, {100, 150}, {128, 192},
+                                    {64, 128},  {80, 75},   {200, 170}, {220, 100}};
+    for (size_t i = 0; i < sizeof inside / sizeof *inside; i++) {
+        const double x = (inside[i][0] - 128) / 127.0, y = (inside[i][1] - 128) / 127.0;
+        const int z = 128 + (int)lround(127 * sqrt(1 - x * x - y * y));
+        add_texel(points, mirrored, (int[3]){inside[i][0], inside[i][1], z});
+    }
 }
 
 // The eye around the mirrored direction, where a highlight is steep.
