@@ -192,7 +192,7 @@ static const struct sb_case rows[] = {
         .help = "a normal of length 0, of a cone's tip or a collapsed triangle",
         .formula = "N / |N|",
         .source = "Bevy #10905",
-        .given = PLAIN,
+        .given = PLAIN " emulate_subnormals=flush",
         .form = {"f_unit=naive", ""},
         .precisions = SB_IN_HIGHP | SB_IN_HALF,
         .stages = SB_IN_FRAGMENT | SB_IN_VERTEX,
