@@ -155,17 +155,29 @@ static double largest_of(const float *colour)
     return fmax(colour[0], fmax(colour[1], colour[2]));
 }
 
-// What is finite is held against the hue of the right colour, largest channel 1.
-static void judge_bright(const struct sb_image *sums, const struct sb_points_truth *truth,
+// By how much of `wanted` the largest channel is off; black in the place of light has no hue that
+// could be wrong, and is as wrong as can be.
+static double magnitude_error(double most, double wanted)
+{
+    const double bounded = fmin(wanted, 65504);
+    return most > 0 ? fabs(most - bounded) / bounded : INFINITY;
+}
+
+// What is finite is held against the hue of the right colour, largest channel 1, and against its
+// largest channel, which ends at 65504.
+static void judge_bright(const struct sb_case *it, const struct sb_case_setting *setting,
+                         const struct sb_image *sums, const struct sb_points_truth *truth,
                          struct sb_outcome *outcome)
 {
-    double bad = 0, hue = 0;
+    double bad = 0, hue = 0, magnitude = 0;
     for (int p = 0; p < sums->width; p++) {
         const float *told = sums->data + (size_t)p * (size_t)sums->channels;
         const struct sb_vec3 right = truth->colour[p];
         const double most = largest_of(told);
         const double wanted = fmax(right.x, fmax(right.y, right.z));
         const double channel[] = {right.x, right.y, right.z};
+        if (wanted > 0)
+            magnitude = fmax(magnitude, magnitude_error(most, wanted));
         for (int c = 0; c < 3; c++) {
             const bool sound = isfinite(told[c]) && told[c] >= 0;
             bad += !sound;
@@ -173,8 +185,10 @@ static void judge_bright(const struct sb_image *sums, const struct sb_points_tru
                 hue = fmax(hue, 255 * fabs(told[c] / most - channel[c] / wanted));
         }
     }
-    sb_outcome_measured(outcome, SB_FIGURE_FINITE, bad, 0);
-    sb_outcome_measured(outcome, SB_FIGURE_ABSOLUTE, hue, 1);
+    const double measured[] = {bad, hue, magnitude}; // in the order of the criteria
+    for (size_t i = 0; i < COUNT(measured); i++)
+        sb_outcome_measured(outcome, it->criterion[i].figure, measured[i],
+                            sb_criterion_bound(&it->criterion[i], setting->precision));
 }
 
 // Through the variant's own target, whose format is on trial: each point is followed by a black one
@@ -200,7 +214,7 @@ static bool run_bright(const struct sb_case_env *env, const struct sb_case *it,
                       sb_unit_add(&unit, &drawn, 2, &sums, err);
     if (good) {
         sb_points_truth_make(&points, setting->variant, &truth);
-        judge_bright(&sums, &truth, outcome);
+        judge_bright(it, setting, &sums, &truth, outcome);
     }
     sb_points_truth_free(&truth);
     sb_image_free(&sums);
@@ -368,7 +382,9 @@ static const struct sb_case rows[] = {
         .precisions = SB_IN_HIGHP | SB_IN_HALF,
         .stages = SB_IN_FRAGMENT,
         .criterion = {{SB_FIGURE_FINITE, 0, 0, 0},
-                      {SB_FIGURE_ABSOLUTE, SB_OF_COLOUR, 1, 1}},
+                      {SB_FIGURE_ABSOLUTE, SB_OF_COLOUR, 1, 1},
+                      // Twice a rounding: of what is written, and of what is added to it.
+                      {SB_FIGURE_RELATIVE, SB_OF_COLOUR, 0x1p-10, 0x1p-10}},
         .keeps_inputs = true, // half floats end at 65504
         .points = bright,
         .run = run_bright,
