@@ -332,7 +332,7 @@ static const struct sb_case rows[] = {
             "the square of a distance below 0.008 is no normal half float, and then 0",
         .formula = "L = D inversesqrt(D . D)",
         .source = "Filament, common_math.glsl: MEDIUMP_FLT_MIN = 2^-14",
-        .given = "point=1 model=lambert ambient=none",
+        .given = "point=1 model=lambert ambient=none emulate_subnormals=flush",
         // Where what is below 2^-14 is flushed, a mediump place has lost the distance already.
         .form = {"f_unit=naive",
                  "p_position=highp p_attenuation=highp p_uniform=highp p_varying=highp"},
