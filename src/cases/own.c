@@ -3,16 +3,24 @@
 #include <math.h>
 #include <string.h>
 
+// How near to failing, as sb_judge_all ranks them: above 1 it fails. A quotient, since with a bound
+// of 0 products of any two figures are equal. NaN compares with nothing, and is as wrong as can be.
+static double strain_of(double measured, double bound)
+{
+    if (measured <= bound)
+        return bound > 0 ? measured / bound : 0;
+    return bound > 0 && isfinite(measured) ? measured / bound : INFINITY;
+}
+
 void sb_outcome_measured(struct sb_outcome *outcome, enum sb_figure figure,
                          double measured, double bound)
 {
-    const bool passes = measured <= bound; // NaN does not
+    const double strain = strain_of(measured, bound);
     const bool first = isnan(outcome->bound);
-    if (!first && outcome->verdict == SB_VERDICT_FAIL)
+    if (!first && (outcome->verdict == SB_VERDICT_FAIL ||
+                   strain <= strain_of(outcome->measured, outcome->bound)))
         return;
-    if (!first && passes && measured * outcome->bound <= outcome->measured * bound)
-        return;
-    outcome->verdict = passes ? SB_VERDICT_PASS : SB_VERDICT_FAIL;
+    outcome->verdict = strain > 1 ? SB_VERDICT_FAIL : SB_VERDICT_PASS;
     outcome->figure = figure;
     outcome->of = SB_OF_COLOUR;
     outcome->measured = measured;
