@@ -13,7 +13,6 @@ static void test_forms(void **state)
     check_naive("gouraud-highlight", SB_IN_HIGHP);
     check_naive("gouraud-nan", SB_IN_HIGHP | SB_IN_HALF);
     check_naive("msaa-extrapolation", SB_IN_HIGHP);
-    check_naive("contraction", SB_IN_HIGHP | SB_IN_HALF);
     if (gl_test_gles()) // desktop GL knows no precision
         check_naive("link-precision", SB_IN_HIGHP);
 }
