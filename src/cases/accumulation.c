@@ -161,7 +161,8 @@ static bool run_passes(const struct sb_case_env *env, const struct sb_case *it,
         const bool no_blend = setting->form == SB_CASE_ROBUST && env->driver->caps.gles &&
                               err->status == SB_GL_ERROR;
         if (no_blend) {
-            sb_text_printf(&outcome->note, "no blending into rgba32f: %s; ", err->text);
+            sb_text_printf(&outcome->note,
+                           "no EXT_float_blend: rgba32f cannot be blended; ");
             note_half_target(env, it, setting, outcome);
         }
         return no_blend; // the verdict is "n/a" still
