@@ -79,8 +79,10 @@ void sb_vectors_long_bumps(struct sb_points *points,
                                     {64, 128},  {80, 75},   {200, 170}, {220, 100}};
     for (size_t i = 0; i < sizeof inside / sizeof *inside; i++) {
         const double x = (inside[i][0] - 128) / 127.0, y = (inside[i][1] - 128) / 127.0;
-        const int z = 128 + (int)lround(127 * sqrt(1 - x * x - y * y));
-        add_texel(points, mirrored, (int[3]){inside[i][0], inside[i][1], z});
+        const double z = sqrt(1 - x * x - y * y);
+        struct sb_point *point =
+            add_texel(points, mirrored, (int[3]){inside[i][0], inside[i][1], 128});
+        point->texel[SB_MAP_NORMAL][2] = (float)((128 + 127 * z) / 255); // not of 8 bits
     }
 }
 
