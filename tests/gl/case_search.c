@@ -8,8 +8,7 @@
 static void search(enum sb_case_form form, double seconds, struct sb_findings *findings)
 {
     struct sb_error err = {0};
-    const struct sb_case_env env = case_env(NULL);
-    const struct sb_search_params params = {.env = &env,
+    const struct sb_search_params params = {.env = &case_env,
                                             .seconds = seconds,
                                             .seed = 1,
                                             .form = form,
@@ -72,11 +71,10 @@ static void a_distance_breaks_half_precision_at_256(void **state)
 {
     (void)state;
     struct sb_error err = {0};
-    const struct sb_case_env env = case_env(NULL);
-    const struct sb_case *it = sb_case_expect("dist-overflow16", NULL, &err);
+    const struct sb_case *it = case_of("dist-overflow16");
     struct sb_breaking naive, robust;
-    if (!sb_case_break(&env, it, SB_CASE_NAIVE, case_half(&env), false, &naive, &err) ||
-        !sb_case_break(&env, it, SB_CASE_ROBUST, case_half(&env), false, &robust, &err))
+    if (!sb_case_break(&case_env, it, SB_CASE_NAIVE, case_half, false, &naive, &err) ||
+        !sb_case_break(&case_env, it, SB_CASE_ROBUST, case_half, false, &robust, &err))
         fail_msg("%s", err.text);
     assert_true(naive.holds_to > 200 && naive.holds_to < 256);
     assert_true(robust.to_the_end);
@@ -86,13 +84,10 @@ static void a_distance_breaks_half_precision_at_256(void **state)
 
 int main(void)
 {
-    open_case_driver();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_distance_breaks_half_precision_at_256),
         cmocka_unit_test(the_search_finds_what_naive_forms_are_known_for_and_shrinks_it),
         cmocka_unit_test(the_search_finds_nothing_infinite_in_robust_forms),
     };
-    const int code = cmocka_run_group_tests(tests, NULL, NULL);
-    sb_driver_close(&case_driver);
-    return code;
+    return CASE_TESTS(tests);
 }

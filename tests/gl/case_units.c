@@ -1,45 +1,18 @@
 // Units: the program that lights points of a table agrees with the reference at random points, in
 // both stages, for every type of light and formula; and what a row holds arrives.
+#include "case_world.h"
 #include "cases/unit.h"
-#include "gl_test.h"
-#include "local/local.h"
-#include "math/random.h"
-#include "measure/driver.h"
 #include "measure/explain.h"
-#include "test.h"
 
-static struct sb_driver driver;
-
-static void variant_of(const char *words, struct sb_variant *variant)
+static void open_unit(struct sb_unit *unit, const char *words, struct sb_variant *variant)
 {
     struct sb_error err = {0};
-    char copy[512];
-    snprintf(copy, sizeof copy, "api=%s,%s", gl_test_gles() ? "gles" : "gl", words);
-    sb_variant_init(sb_axes_builtin(), variant);
-    for (char *word = strtok(copy, ","); word; word = strtok(NULL, ",")) {
-        char *equals = strchr(word, '=');
-        *equals = '\0';
-        const int axis = sb_axes_find(sb_axes_builtin(), word);
-        if (!sb_variant_set(sb_axes_builtin(), variant, axis, equals + 1, &err))
-            fail_msg("%s: %s", words, err.text);
-    }
-    if (!sb_variant_resolve(sb_axes_builtin(), variant, &err))
-        fail_msg("%s: %s", words, err.text);
-}
-
-static void open_unit(struct sb_unit *unit, const struct sb_variant *variant)
-{
-    struct sb_error err = {0};
-    const struct sb_unit_params params = {
-        .axes = sb_axes_builtin(),
-        .variant = variant,
-        .driver = &driver,
-        .data_dir = SB_SOURCE_DIR,
-        .id = 1,
-    };
+    const struct sb_case it = {.given = words};
     *unit = (struct sb_unit){0};
-    if (!sb_unit_open(unit, &params, &err))
-        fail_msg("%s", err.text);
+    if (!sb_case_variant(&case_env, &it, SB_CASE_ROBUST, SB_CASE_HIGHP, false, NULL,
+                         variant, &err) ||
+        !sb_case_unit_open(unit, &case_env, variant, &err))
+        fail_msg("%s: %s", words, err.text);
 }
 
 static float between(struct sb_random *random, double low, double high)
@@ -87,8 +60,7 @@ static void check_variant(const char *words)
     struct sb_unit_told told;
     struct sb_points_truth truth;
     struct sb_error err = {0};
-    variant_of(words, &variant);
-    open_unit(&unit, &variant);
+    open_unit(&unit, words, &variant);
     sb_points_init(&points, &variant);
     scatter(&points, 600);
     assert_true(sb_points_validate(&points, &err));
@@ -123,16 +95,16 @@ static void test_variants(void **state)
 {
     (void)state;
     static const char *const variants[] = {
-        "dir=1,point=2,spot=2,area=1",
-        "dir=1,point=2,spot=2,area=1,stage=vertex",
-        "dir=1,point=2,spot=2,layout=unified,cone=linear,model=phong",
-        "spot=1,cone=exponent,attenuation=radius",
-        "spot=1,cone=hard,attenuation=windowed,stage=vertex,ambient=none",
-        "area=1,area_shape=tube,model=lambert",
-        "area=1,area_shape=capsule",
-        "area=1,area_shape=box,stage=vertex",
-        "point=1,maps=diffuse+specular+normal",
-        "point=1,normalise=on,ambient=per_light,attenuation=none",
+        "dir=1 point=2 spot=2 area=1",
+        "dir=1 point=2 spot=2 area=1 stage=vertex",
+        "dir=1 point=2 spot=2 layout=unified cone=linear model=phong",
+        "spot=1 cone=exponent attenuation=radius",
+        "spot=1 cone=hard attenuation=windowed stage=vertex ambient=none",
+        "area=1 area_shape=tube model=lambert",
+        "area=1 area_shape=capsule",
+        "area=1 area_shape=box stage=vertex",
+        "point=1 maps=diffuse+specular+normal",
+        "point=1 normalise=on ambient=per_light attenuation=none",
         "point=9",
     };
     for (size_t i = 0; i < sizeof variants / sizeof *variants; i++)
@@ -144,16 +116,15 @@ static void test_adding(void **state)
 {
     (void)state;
     static const char *const variants[] = {
-        "point=1,ambient=none,model=lambert",
-        "point=1,ambient=none,model=lambert,target=rgba16f"};
+        "point=1 ambient=none model=lambert",
+        "point=1 ambient=none model=lambert target=rgba16f"};
     for (int v = 0; v < 2; v++) {
         struct sb_variant variant;
         struct sb_unit unit;
         struct sb_points points;
         struct sb_image sums = {0};
         struct sb_error err = {0};
-        variant_of(variants[v], &variant);
-        open_unit(&unit, &variant);
+        open_unit(&unit, variants[v], &variant);
         sb_points_init(&points, &variant);
         for (int p = 0; p < 20; p++)
             for (int c = 0; c < 3; c++)
@@ -174,18 +145,9 @@ static void test_adding(void **state)
 
 int main(void)
 {
-    struct sb_error err = {0};
-    const struct sb_driver_params params = {
-        .runner = &sb_runner_local,
-        .context = {.context = gl_test_context(), .gles = gl_test_gles(), .device = -1},
-    };
-    if (!sb_driver_connect(&params, &driver, &err) || !sb_driver_probe(&driver, &err))
-        gl_test_unavailable(&err);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_variants),
         cmocka_unit_test(test_adding),
     };
-    const int code = cmocka_run_group_tests(tests, NULL, NULL);
-    sb_driver_close(&driver);
-    return code;
+    return CASE_TESTS(tests);
 }

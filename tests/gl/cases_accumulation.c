@@ -1,11 +1,12 @@
-// Sums, masks, interpolation and compilers: robust forms hold, in every precision and stage, naive
-// ones fail where the catalogue says, and robust ones hold at inputs that are not in the catalogue.
-#include "cases_gl.h"
+// Sums, masks, interpolation and compilers: robust forms hold, naive ones fail where the catalogue
+// says, and robust ones hold at inputs that are not in the catalogue.
+#include "case_world.h"
 
 static void test_forms(void **state)
 {
     (void)state;
     check_robust(&sb_cases_accumulation);
+    check_vertex("nan-swallow");
     check_naive("sum-stagnation", SB_IN_HALF);
     check_naive("multipass-8bit", SB_IN_HIGHP | SB_IN_HALF);
     check_naive("mask-multiply", SB_IN_HIGHP | SB_IN_HALF);
@@ -18,8 +19,10 @@ static void test_forms(void **state)
 }
 
 // Sums of random lights, some of them very bright, and most overhead.
-static void sum(struct sb_points *points, const void *user)
+static void sum(struct sb_points *points, const struct sb_case_setting *setting,
+                const void *user)
 {
+    (void)setting;
     (void)user;
     struct sb_random random = sb_random_seed(41);
     for (int p = 0; p < 8; p++) {
@@ -32,8 +35,10 @@ static void sum(struct sb_points *points, const void *user)
 }
 
 // Normals of any length from 0 and 1e-12 on.
-static void normals(struct sb_points *points, const void *user)
+static void normals(struct sb_points *points, const struct sb_case_setting *setting,
+                    const void *user)
 {
+    (void)setting;
     (void)user;
     struct sb_random random = sb_random_seed(42);
     for (int p = 0; p < 300; p++) {
@@ -50,8 +55,8 @@ static void normals(struct sb_points *points, const void *user)
 static void test_other_inputs(void **state)
 {
     (void)state;
-    check_points("sum-stagnation", sum, NULL);
-    check_points("gouraud-nan", normals, NULL);
+    check_inputs(case_of("sum-stagnation"), ~0u, &(struct inputs){.add = sum});
+    check_inputs(case_of("gouraud-nan"), ~0u, &(struct inputs){.add = normals});
 }
 
 int main(void)
@@ -60,5 +65,5 @@ int main(void)
         cmocka_unit_test(test_forms),
         cmocka_unit_test(test_other_inputs),
     };
-    return run_case_tests(tests, sizeof tests / sizeof *tests);
+    return CASE_TESTS(tests);
 }

@@ -1,33 +1,26 @@
 // The family `cones`: robust forms hold, naive ones do not, and so do cones of random angles.
 #include "cases/directions.h"
-#include "cases_asked.h"
-
-static enum sb_case_precision half; // as this context has it
+#include "case_world.h"
 
 static void robust_forms_hold(void **state)
 {
     (void)state;
-    for (int i = 0; i < sb_cases_cones.count; i++) {
-        asked_robust(&sb_cases_cones.row[i], SB_CASE_HIGHP);
-        asked_robust(&sb_cases_cones.row[i], half);
-    }
+    check_robust(&sb_cases_cones);
+    check_vertex("cone-narrow");
 }
 
 static void naive_forms_do_not(void **state)
 {
     (void)state;
-    static const char *const id[] = {"cone-narrow", "cutoff-0", "cutoff-90-180",
-                                     "inner>=outer", "spot-exp"};
-    for (size_t i = 0; i < sizeof id / sizeof *id; i++)
-        asked_naive(id[i], SB_CASE_HIGHP);
-    asked_naive("cone-narrow", half);
-    asked_naive("spot-exp", half);
+    check_naive("cone-narrow", SB_IN_HIGHP | SB_IN_HALF);
+    check_naive("cutoff-0", SB_IN_HIGHP);
+    check_naive("cutoff-90-180", SB_IN_HIGHP);
+    check_naive("inner>=outer", SB_IN_HIGHP);
+    check_naive("spot-exp", SB_IN_HIGHP | SB_IN_HALF);
 }
 
-static void of_angle(struct sb_points *points, const struct sb_case_setting *setting,
-                     double degrees)
+static void of_angle(struct sb_points *points, double degrees)
 {
-    (void)setting;
     struct sb_random random = sb_random_seed(78);
     const double outer = degrees * SB_PI / 180;
     for (int i = 0; i < 300; i++)
@@ -36,10 +29,8 @@ static void of_angle(struct sb_points *points, const struct sb_case_setting *set
                           outer * sb_random_unit(&random), outer);
 }
 
-static void of_exponent(struct sb_points *points, const struct sb_case_setting *setting,
-                        double exponent)
+static void of_exponent(struct sb_points *points, double exponent)
 {
-    (void)setting;
     struct sb_random random = sb_random_seed(79);
     for (int i = 0; i < 300; i++) {
         const double reach = fmin(3 / sqrt(exponent), 2);
@@ -54,29 +45,43 @@ static void of_exponent(struct sb_points *points, const struct sb_case_setting *
     }
 }
 
+// At each number of a list that ends with 0.
+static void of_angles(struct sb_points *points, const struct sb_case_setting *setting,
+                      const void *user)
+{
+    (void)setting;
+    for (const double *at = user; *at > 0; at++)
+        of_angle(points, *at);
+}
+
+static void of_exponents(struct sb_points *points, const struct sb_case_setting *setting,
+                         const void *user)
+{
+    (void)setting;
+    for (const double *at = user; *at > 0; at++)
+        of_exponent(points, *at);
+}
+
 static void cones_hold_elsewhere(void **state)
 {
     (void)state;
     static const double high[] = {0.03, 0.5, 17, 77, 150, 0};
     static const double low[] = {11, 33, 77, 130, 0};
     static const double great[] = {0.5, 30, 3e5, 0}, small[] = {0.5, 4, 15, 50, 0};
-    asked_others("cone-narrow", SB_CASE_HIGHP, NULL, of_angle, high);
-    asked_others("cone-narrow", half, NULL, of_angle, low);
-    asked_others("spot-exp", SB_CASE_HIGHP, NULL, of_exponent, great);
-    asked_others("spot-exp", half, NULL, of_exponent, small);
+    const struct sb_case *narrow = case_of("cone-narrow"), *power = case_of("spot-exp");
+    check_inputs(narrow, SB_IN_HIGHP, &(struct inputs){.add = of_angles, .user = high});
+    check_inputs(narrow, SB_IN_HALF, &(struct inputs){.add = of_angles, .user = low});
+    check_inputs(power, SB_IN_HIGHP,
+                 &(struct inputs){.add = of_exponents, .user = great});
+    check_inputs(power, SB_IN_HALF, &(struct inputs){.add = of_exponents, .user = small});
 }
 
 int main(void)
 {
-    open_case_driver();
-    const struct sb_case_env env = case_env(NULL);
-    half = case_half(&env);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(robust_forms_hold),
         cmocka_unit_test(naive_forms_do_not),
         cmocka_unit_test(cones_hold_elsewhere),
     };
-    const int code = cmocka_run_group_tests(tests, NULL, NULL);
-    sb_driver_close(&case_driver);
-    return code;
+    return CASE_TESTS(tests);
 }

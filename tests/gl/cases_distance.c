@@ -1,11 +1,12 @@
-// Distance, attenuation and range: robust forms hold, in every precision and stage, naive ones
-// fail where the catalogue says, and robust ones hold at inputs that are not in the catalogue.
-#include "cases_gl.h"
+// Distance, attenuation and range: robust forms hold, naive ones fail where the catalogue says, and
+// robust ones hold at inputs that are not in the catalogue.
+#include "case_world.h"
 
 static void test_forms(void **state)
 {
     (void)state;
     check_robust(&sb_cases_distance);
+    check_vertex("light-on-surface");
     check_naive("light-on-surface", SB_IN_HIGHP | SB_IN_HALF);
     check_naive("att-kc0", SB_IN_HIGHP | SB_IN_HALF);
     check_naive("att-all-zero", SB_IN_HIGHP);
@@ -24,8 +25,10 @@ struct shell {
     double quadratic; // 1: an inverse square law; 0: 1 / d
 };
 
-static void scatter(struct sb_points *points, const void *user)
+static void scatter(struct sb_points *points, const struct sb_case_setting *setting,
+                    const void *user)
 {
+    (void)setting;
     const struct shell *shell = user;
     struct sb_random random = sb_random_seed(31);
     for (int p = 0; p < 400; p++) {
@@ -47,24 +50,32 @@ static void scatter(struct sb_points *points, const void *user)
     }
 }
 
+static void check_shell(const struct sb_case *it, const struct shell *shell)
+{
+    check_inputs(it, ~0u, &(struct inputs){.add = scatter, .user = shell});
+}
+
 static void test_other_inputs(void **state)
 {
     (void)state;
-    check_points("dist-overflow16", scatter, &(struct shell){1e-3, 3e4, 0});
-    check_points("dist-underflow16", scatter, &(struct shell){1e-3, 1, 0});
-    check_points("radius-falloff", scatter, &(struct shell){0.05, 200, 0});
-    const struct sb_case *it = sb_case_expect("att-kc0", NULL, NULL);
-    struct sb_case unordered = *it; // the points are in no order
+    check_shell(case_of("dist-overflow16"), &(struct shell){1e-3, 3e4, 0});
+    check_shell(case_of("dist-underflow16"), &(struct shell){1e-3, 1, 0});
+    check_shell(case_of("radius-falloff"), &(struct shell){0.05, 200, 0});
+    struct sb_case unordered = *case_of("att-kc0"); // the points are in no order
     unordered.criterion[1].figure = SB_FIGURE_NONE;
-    check_points_of(&unordered, scatter, &(struct shell){1e-9, 200, 1});
+    check_shell(&unordered, &(struct shell){1e-9, 200, 1});
 }
 
-// Near half floats' least, where a device may flush what is below 2^-14: all of it is 0 there.
+// Near half floats' least, where a device may flush what is below 2^-14: all of it is 0 there. The
+// flag is the emulation's.
 static void test_flushed(void **state)
 {
     (void)state;
-    check_points_with("dist-underflow16", "emulate_subnormals=flush", scatter,
-                      &(struct shell){1e-3, 1, 0});
+    const struct inputs inputs = {.add = scatter,
+                                  .user = &(struct shell){1e-3, 1, 0},
+                                  .more = "emulate_subnormals=flush"};
+    each_precision(case_of("dist-underflow16"), SB_CASE_ROBUST, 1u << SB_CASE_EMULATED,
+                   look_at_inputs, &inputs);
 }
 
 // What the validator refuses it calls by light and field.
@@ -84,5 +95,5 @@ int main(void)
         cmocka_unit_test(test_flushed),
         cmocka_unit_test(test_refused),
     };
-    return run_case_tests(tests, sizeof tests / sizeof *tests);
+    return CASE_TESTS(tests);
 }

@@ -1,5 +1,5 @@
 // The cases of shadow maps, and the robust forms with other maps and sizes than theirs.
-#include "case_family.h"
+#include "case_world.h"
 
 static void test_robust_forms_hold(void **state)
 {
@@ -11,8 +11,7 @@ static void test_naive_forms_fail(void **state)
 {
     (void)state;
     for (int i = 0; i < sb_cases_shadows.count; i++)
-        check_cell(&sb_cases_shadows.row[i], SB_CASE_NAIVE, SB_CASE_HIGHP, false,
-                   SB_VERDICT_FAIL);
+        check_naive(sb_cases_shadows.row[i].id, SB_IN_HIGHP);
 }
 
 static void test_other_maps(void **state)
@@ -26,22 +25,20 @@ static void test_other_maps(void **state)
         {"shadow-flip", " shadow_map=array2d shadow_size=200"},
     };
     for (size_t i = 0; i < sizeof other / sizeof *other; i++) {
-        const struct sb_case_family *family;
-        struct sb_case it = *sb_case_expect(other[i].id, &family, NULL);
+        struct sb_case it = *case_of(other[i].id);
         char given[400];
         snprintf(given, sizeof given, "%s%s", it.given, other[i].more);
         it.given = given;
-        check_cell(&it, SB_CASE_ROBUST, SB_CASE_HIGHP, false, SB_VERDICT_PASS);
+        check_cell(&(struct cell){&it, SB_CASE_ROBUST, SB_CASE_HIGHP, false});
     }
 }
 
 int main(void)
 {
-    open_driver();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_robust_forms_hold),
         cmocka_unit_test(test_naive_forms_fail),
         cmocka_unit_test(test_other_maps),
     };
-    return run_family(tests, sizeof tests / sizeof *tests);
+    return CASE_TESTS(tests);
 }

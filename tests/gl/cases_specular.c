@@ -1,29 +1,24 @@
 // The family `specular`: robust forms hold, naive ones do not, and highlights at random points,
 // of both models, are what the catalogue allows.
 #include "cases/directions.h"
-#include "cases_asked.h"
-
-static enum sb_case_precision half; // as this context has it
+#include "case_world.h"
 
 static void robust_forms_hold(void **state)
 {
     (void)state;
-    for (int i = 0; i < sb_cases_specular.count; i++) {
-        asked_robust(&sb_cases_specular.row[i], SB_CASE_HIGHP);
-        asked_robust(&sb_cases_specular.row[i], half);
-    }
+    check_robust(&sb_cases_specular);
+    check_vertex("spec-pow-32");
 }
 
 static void naive_forms_do_not(void **state)
 {
     (void)state;
-    static const char *const highp[] = {"spec-pow-32", "pow-negative-base",
-                                        "spec-backface", "acos-angle"};
-    static const char *const in_half[] = {"spec-pow-16", "spec-underflow-16"};
-    for (size_t i = 0; i < sizeof highp / sizeof *highp; i++)
-        asked_naive(highp[i], SB_CASE_HIGHP);
-    for (size_t i = 0; i < sizeof in_half / sizeof *in_half; i++)
-        asked_naive(in_half[i], half);
+    check_naive("spec-pow-16", SB_IN_HALF);
+    check_naive("spec-pow-32", SB_IN_HIGHP);
+    check_naive("pow-negative-base", SB_IN_HIGHP);
+    check_naive("spec-underflow-16", SB_IN_HALF);
+    check_naive("spec-backface", SB_IN_HIGHP);
+    check_naive("acos-angle", SB_IN_HIGHP);
 }
 
 static void set(float out[3], struct sb_vec3 v, double scale)
@@ -35,11 +30,9 @@ static void set(float out[3], struct sb_vec3 v, double scale)
 
 // Random normals, with eye and light anywhere above the surface: few points lie in a narrow
 // highlight, so the angle between the half vector and the normal is drawn for it.
-static void anywhere(struct sb_points *points, const struct sb_case_setting *setting,
-                     double exponent)
+static void anywhere(struct sb_points *points, double exponent, bool weighted)
 {
     struct sb_random random = sb_random_seed(77);
-    const bool weighted = sb_case_precisions[setting->precision].half;
     for (int i = 0; i < 400; i++) {
         const double angle = fmin(3 * sb_random_unit(&random) / sqrt(exponent), 0.7);
         const struct sb_vec3 h = sb_any_direction(&random);
@@ -62,27 +55,33 @@ static void anywhere(struct sb_points *points, const struct sb_case_setting *set
     }
 }
 
+// With each exponent of a list that ends with 0.
+static void of_exponents(struct sb_points *points, const struct sb_case_setting *setting,
+                         const void *user)
+{
+    for (const double *at = user; *at > 0; at++)
+        anywhere(points, *at, sb_case_precisions[setting->precision].half);
+}
+
 static void highlights_hold_elsewhere(void **state)
 {
     (void)state;
     static const double high[] = {1, 50, 3000, 5e5, 0};
     static const double low[] = {2, 8, 24, 50, 100, 200, 700, 0};
-    asked_others("spec-pow-32", SB_CASE_HIGHP, NULL, anywhere, high);
-    asked_others("spec-pow-32", SB_CASE_HIGHP, "model=phong", anywhere, high);
-    asked_others("spec-pow-16", half, NULL, anywhere, low);
+    const struct sb_case *full = case_of("spec-pow-32"), *half = case_of("spec-pow-16");
+    check_inputs(full, SB_IN_HIGHP, &(struct inputs){.add = of_exponents, .user = high});
+    check_inputs(
+        full, SB_IN_HIGHP,
+        &(struct inputs){.add = of_exponents, .user = high, .more = "model=phong"});
+    check_inputs(half, SB_IN_HALF, &(struct inputs){.add = of_exponents, .user = low});
 }
 
 int main(void)
 {
-    open_case_driver();
-    const struct sb_case_env env = case_env(NULL);
-    half = case_half(&env);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(robust_forms_hold),
         cmocka_unit_test(naive_forms_do_not),
         cmocka_unit_test(highlights_hold_elsewhere),
     };
-    const int code = cmocka_run_group_tests(tests, NULL, NULL);
-    sb_driver_close(&case_driver);
-    return code;
+    return CASE_TESTS(tests);
 }

@@ -1,94 +1,32 @@
 // The hard cases of vectors, normals and tangent frames: robust forms hold, naive ones are caught,
 // and what holds at the catalogue's inputs holds at others too.
-#include <math.h>
-
-#include "cases/unit.h"
 #include "cases/vectors.h"
-#include "gl_test.h"
-#include "local/local.h"
-#include "test.h"
-
-static struct sb_driver driver;
-
-static struct sb_case_env env_of(void)
-{
-    return (struct sb_case_env){sb_axes_builtin(), &driver, SB_SOURCE_DIR, NULL};
-}
-
-static enum sb_verdict verdict_of(const struct sb_case *it, enum sb_case_form form,
-                                  int precision, bool vertex, char *words, size_t size)
-{
-    const struct sb_case_env env = env_of();
-    struct sb_outcome outcome;
-    sb_case_ask(&env, it, form, (enum sb_case_precision)precision, vertex, &outcome);
-    snprintf(words, size, "%s %s %s %s: %s %g, bound %g, point %d %s", it->id,
-             sb_case_form_names[form], sb_case_precisions[precision].name,
-             vertex ? "vertex" : "fragment", sb_figure_rows[outcome.figure].name,
-             outcome.measured, outcome.bound, outcome.point, sb_text_get(&outcome.note));
-    sb_text_free(&outcome.note);
-    return outcome.verdict;
-}
-
-// The settings that the row names: half precision as the driver has it, and where it has none (so
-// that each is asked in one kind of context) highp and emulation. That takes a second to compile,
-// so it is asked of fragments only.
-static bool is_asked(const struct sb_case *it, int precision, int vertex)
-{
-    const struct sb_case_env env = env_of();
-    const bool real = !sb_case_unavailable(&env, SB_CASE_HALF, false);
-    if ((precision == SB_CASE_HALF) != real || (precision == SB_CASE_EMULATED && vertex))
-        return false;
-    const unsigned precisions = it->precisions ? it->precisions : SB_IN_HIGHP;
-    const unsigned stages = it->stages ? it->stages : SB_IN_FRAGMENT;
-    return (precisions >> precision & 1) && (stages >> vertex & 1);
-}
+#include "case_world.h"
+#include "cases/unit.h"
 
 static void robust_forms_hold(void **state)
 {
     (void)state;
-    char words[512];
-    int asked = 0;
-    assert_int_equal(sb_cases_vectors.count, 13);
-    for (int i = 0; i < sb_cases_vectors.count; i++)
-        for (int precision = 0; precision < SB_CASE_PRECISION_COUNT; precision++)
-            for (int vertex = 0; vertex < 2; vertex++) {
-                const struct sb_case *it = &sb_cases_vectors.row[i];
-                if (!is_asked(it, precision, vertex))
-                    continue;
-                const enum sb_verdict verdict = verdict_of(it, SB_CASE_ROBUST, precision,
-                                                           vertex, words, sizeof words);
-                if (verdict != SB_VERDICT_PASS)
-                    fail_msg("%s", words);
-                asked++;
-            }
-    assert_true(asked >= 10);
-}
-
-// Where highp has nothing to lose, or a driver's half precision leaves a coordinate alone. Emulation
-// is asked where half precision itself is what is naive.
-static bool may_pass(const struct sb_case *it, int precision)
-{
-    if (precision == SB_CASE_EMULATED && !it->keeps_inputs)
-        return true;
-    const bool high = precision == SB_CASE_HIGHP;
-    return (strcmp(it->id, "world-pos-16") == 0 && high) ||
-           (strcmp(it->id, "fragcoord-16") == 0 && precision == SB_CASE_HALF);
+    check_robust(&sb_cases_vectors);
+    check_vertex("zero-normal");
+    check_vertex("large-world");
 }
 
 static void naive_forms_are_caught(void **state)
 {
     (void)state;
-    char words[512];
-    for (int i = 0; i < sb_cases_vectors.count; i++)
-        for (int precision = 0; precision < SB_CASE_PRECISION_COUNT; precision++)
-            for (int vertex = 0; vertex < 2; vertex++) {
-                const struct sb_case *it = &sb_cases_vectors.row[i];
-                if (!is_asked(it, precision, vertex) || may_pass(it, precision))
-                    continue;
-                if (verdict_of(it, SB_CASE_NAIVE, precision, vertex, words,
-                               sizeof words) == SB_VERDICT_PASS)
-                    fail_msg("%s", words);
-            }
+    static const char *const both[] = {
+        "zero-normal", "normal-shortening", "antipodal-normals", "tbn-parallel",
+        "normalmap-z", "normalmap-flat",    "half-vector-zero",  "reflect-nonunit",
+    };
+    for (size_t i = 0; i < sizeof both / sizeof *both; i++)
+        check_naive(both[i], SB_IN_HIGHP | SB_IN_HALF);
+    check_naive("normal-nonuniform", SB_IN_HIGHP);
+    check_naive("normal-singular", SB_IN_HIGHP);
+    check_naive("large-world", SB_IN_HIGHP);
+    check_naive("world-pos-16", SB_IN_HALF);
+    if (case_half == SB_CASE_EMULATED) // llvmpipe's mediump coordinates have 32 bits
+        check_naive("fragcoord-16", SB_IN_HALF);
 }
 
 // --- inputs that are not in the catalogue -------------------------------------------------
@@ -236,40 +174,22 @@ static const struct other {
     {"world-pos-16", any_places},
 };
 
-static void ask_others(const struct other *other, int precision)
+static void add_others(struct sb_points *points, const struct sb_case_setting *setting,
+                       const void *user)
 {
-    const struct sb_case_env env = env_of();
-    const struct sb_case *it = sb_case_expect(other->id, NULL, NULL);
+    const struct other *other = user;
     struct sb_random random = sb_random_seed(23);
-    struct sb_variant variant;
-    struct sb_points points;
-    struct sb_outcome outcome = {0};
-    struct sb_error err = {0};
-    const struct sb_case_setting setting = {
-        SB_CASE_ROBUST, (enum sb_case_precision)precision, false, &variant};
-    assert_true(sb_case_variant(&env, it, setting.form, setting.precision, false, NULL,
-                                &variant, &err));
-    sb_points_init(&points, &variant);
+    (void)setting;
     for (int i = 0; i < 500; i++)
-        other->add(&random, &points);
-    if (!sb_points_validate(&points, &err) ||
-        !sb_case_ask_points(&env, it, &setting, &points, &outcome, &err))
-        fail_msg("%s: %s", it->id, err.text);
-    if (outcome.verdict != SB_VERDICT_PASS)
-        fail_msg("%s %s: %s of %d: %g, bound %g, point %d", it->id,
-                 sb_case_precisions[precision].name, sb_figure_rows[outcome.figure].name,
-                 outcome.of, outcome.measured, outcome.bound, outcome.point);
-    sb_points_free(&points);
+        other->add(&random, points);
 }
 
 static void robust_forms_hold_at_other_inputs(void **state)
 {
     (void)state;
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
-        for (int precision = 0; precision < SB_CASE_PRECISION_COUNT; precision++)
-            if (precision != SB_CASE_EMULATED &&
-                is_asked(sb_case_expect(others[i].id, NULL, NULL), precision, false))
-                ask_others(&others[i], precision);
+        check_inputs(case_of(others[i].id), SB_IN_HIGHP | 1u << SB_CASE_HALF,
+                     &(struct inputs){.add = add_others, .user = &others[i]});
 }
 
 // --- relations ----------------------------------------------------------------------------
@@ -277,26 +197,20 @@ static void robust_forms_hold_at_other_inputs(void **state)
 // The colours that a variant of a case gives its own points.
 static void colours_of(const char *id, const char *more, struct sb_unit_told *told)
 {
-    const struct sb_case_env env = env_of();
-    const struct sb_case *it = sb_case_expect(id, NULL, NULL);
+    const struct sb_case *it = case_of(id);
     struct sb_variant own, variant;
     struct sb_unit unit = {0};
     struct sb_points points;
     struct sb_error err = {0};
     const struct sb_case_setting setting = {SB_CASE_ROBUST, SB_CASE_HIGHP, false, &own};
-    assert_true(sb_case_variant(&env, it, setting.form, setting.precision, false, NULL,
-                                &own, &err));
-    assert_true(sb_case_variant(&env, it, setting.form, setting.precision, false, more,
-                                &variant, &err));
-    const struct sb_unit_params params = {.axes = env.axes,
-                                          .variant = &variant,
-                                          .driver = env.driver,
-                                          .data_dir = env.data_dir,
-                                          .id = 1};
+    assert_true(sb_case_variant(&case_env, it, setting.form, setting.precision, false,
+                                NULL, &own, &err));
+    assert_true(sb_case_variant(&case_env, it, setting.form, setting.precision, false,
+                                more, &variant, &err));
     sb_points_init(&points, &own);
     it->points(&points, &setting);
     assert_true(sb_points_validate(&points, &err));
-    if (!sb_unit_open(&unit, &params, &err) ||
+    if (!sb_case_unit_open(&unit, &case_env, &variant, &err) ||
         !sb_unit_light(&unit, &points, 0, told, &err))
         fail_msg("%s: %s", id, err.text);
     sb_unit_close(&unit);
@@ -329,37 +243,11 @@ static void what_is_flat_is_lit_as_without_a_map(void **state)
 static void the_inputs_are_those_of_scenes(void **state)
 {
     (void)state;
-    for (int i = 0; i < sb_cases_vectors.count; i++) {
-        const struct sb_case *it = &sb_cases_vectors.row[i];
-        const struct sb_case_env env = env_of();
-        struct sb_variant variant;
-        struct sb_points points;
-        struct sb_error err = {0};
-        const struct sb_case_setting setting = {SB_CASE_ROBUST, SB_CASE_HIGHP, false,
-                                                &variant};
-        if (!it->points)
-            continue;
-        assert_true(sb_case_variant(&env, it, SB_CASE_ROBUST, SB_CASE_HIGHP, false, NULL,
-                                    &variant, &err));
-        sb_points_init(&points, &variant);
-        it->points(&points, &setting);
-        for (double x = it->scale.from; it->scale.name && x <= it->scale.to; x *= 2)
-            it->scale.points(&points, &setting, x);
-        if (!sb_points_validate(&points, &err))
-            fail_msg("%s: %s", it->id, err.text);
-        sb_points_free(&points);
-    }
+    check_family_valid(&sb_cases_vectors);
 }
 
 int main(void)
 {
-    struct sb_error err = {0};
-    const struct sb_driver_params params = {
-        .runner = &sb_runner_local,
-        .context = {.context = gl_test_context(), .gles = gl_test_gles(), .device = -1},
-    };
-    if (!sb_driver_connect(&params, &driver, &err) || !sb_driver_probe(&driver, &err))
-        gl_test_unavailable(&err);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_inputs_are_those_of_scenes),
         cmocka_unit_test(robust_forms_hold),
@@ -367,7 +255,5 @@ int main(void)
         cmocka_unit_test(robust_forms_hold_at_other_inputs),
         cmocka_unit_test(what_is_flat_is_lit_as_without_a_map),
     };
-    const int code = cmocka_run_group_tests(tests, NULL, NULL);
-    sb_driver_close(&driver);
-    return code;
+    return CASE_TESTS(tests);
 }
