@@ -30,7 +30,7 @@ static const struct guard guards[] = {
      "cone-narrow", true, false},
     {"area_shape/ball.glsl", "d > radius ? to_centre * ((d - radius) / d) : vec3(0.0)", "to_centre * ((d - radius) / d)",
      "sphere-centre", false, false},
-    {"area_shape/segment.glsl", "axis2 > 0.0 ? clamp(dot_axis / axis2, -1.0, 1.0) : 0.0", "clamp(dot_axis / axis2, -1.0, 1.0)",
+    {"area_shape/segment.glsl", "axis2 > 0.0 ? dot_axis / axis2 : 0.0", "dot_axis / axis2",
      "capsule-degenerate", false, false},
     {"frame.glsl", "abs(volume) > 1.0 / 1024.0 ? unit(mat3(t, b, normal) * bump) : normal", "unit(mat3(t, b, normal) * bump)",
      "tbn-parallel", false, false},

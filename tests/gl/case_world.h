@@ -82,19 +82,18 @@ static inline void check_cell(const struct cell *cell)
 
 // --- the cells of a case ------------------------------------------------------------------
 
-// Of half precision the driver's own, which is as quick as highp. Else, with `emulated`, the
-// emulated one, or it where nothing else is wanted.
+// Where half precision is the driver's own it stands for all that is wanted: the other API has
+// none, and asks highp there. Emulated it is asked `emulated`, or where nothing else is wanted.
 static inline unsigned precisions_of(const struct sb_case *it, unsigned wanted,
                                      bool emulated)
 {
+    const unsigned own = 1u << SB_CASE_HALF, emulation = 1u << SB_CASE_EMULATED;
     const unsigned all = it->precisions ? it->precisions : (unsigned)SB_IN_HIGHP;
-    unsigned asked = all & wanted;
+    const unsigned asked = all & wanted;
     if (case_half == SB_CASE_HALF)
-        return asked & ~(1u << SB_CASE_EMULATED);
-    asked &= ~(1u << SB_CASE_HALF);
-    return emulated || asked == 1u << SB_CASE_EMULATED
-               ? asked
-               : asked & ~(1u << SB_CASE_EMULATED);
+        return asked & own ? own : asked & ~emulation;
+    return emulated || (asked & ~own) == emulation ? asked & ~own
+                                                   : asked & ~own & ~emulation;
 }
 
 // Does the robust form say what half precision must not hold?

@@ -9,7 +9,6 @@ static void robust_forms_hold(void **state)
     (void)state;
     check_robust(&sb_cases_vectors);
     check_vertex("zero-normal");
-    check_vertex("large-world");
 }
 
 static void naive_forms_are_caught(void **state)
