@@ -41,7 +41,7 @@ static void the_search_finds_what_naive_forms_are_known_for_and_shrinks_it(void 
     (void)state;
     struct sb_findings findings;
     struct sb_error err = {0};
-    search(SB_CASE_NAIVE, 3, &findings);
+    search(SB_CASE_NAIVE, 2, &findings);
     assert_true(findings.count > 0);
     assert_true(isinf(findings.row[0].measured));
     assert_int_equal(count_changes(&findings.row[0].points), 1);
@@ -59,7 +59,7 @@ static void the_search_finds_nothing_infinite_in_robust_forms(void **state)
 {
     (void)state;
     struct sb_findings findings;
-    search(SB_CASE_ROBUST, 3, &findings);
+    search(SB_CASE_ROBUST, 2, &findings);
     for (int i = 0; i < findings.count; i++)
         assert_true(isfinite(findings.row[i].measured));
     sb_findings_free(&findings);
