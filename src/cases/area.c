@@ -121,7 +121,7 @@ static bool light_around(const struct sb_case_env *env, const struct sb_case *it
         .driver = env->driver,
         .data_dir = env->data_dir,
         .shaders = env->shaders,
-        .id = (1u << 30) - 1,
+        .id = sb_case_next_job(),
     };
     sb_points_init(&points, &variant);
     around(&points, size[0], size[1]);

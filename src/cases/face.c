@@ -6,6 +6,7 @@
 #include "assemble/decide.h"
 #include "assemble/defines.h"
 #include "base/file.h"
+#include "cases/judge.h"
 
 struct texts {
     struct sb_arena arena;
@@ -72,7 +73,7 @@ bool sb_faces_tell(const struct sb_case_env *env, const struct sb_variant *varia
         const struct sb_program program = {.role = "rows",
                                            .vertex = texts.source[0].text,
                                            .fragment = texts.source[1].text};
-        const struct sb_job job = {.id = (3u << 29) - 1,
+        const struct sb_job job = {.id = sb_case_next_job(),
                                    .variant = decided,
                                    .program = &program,
                                    .program_count = 1};

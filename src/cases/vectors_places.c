@@ -78,7 +78,7 @@ bool sb_vectors_lookups(const struct sb_case_env *env, const struct sb_case *it,
         .driver = env->driver,
         .data_dir = env->data_dir,
         .shaders = env->shaders,
-        .id = 7u << 28, // apart from those of tasks, and released here
+        .id = sb_case_next_job(),
     };
     sb_points_init(&points, setting->variant);
     for (int i = 0; i < TEXELS; i++)
