@@ -91,7 +91,8 @@ static void without_its_guard_a_case_fails(void **state)
     int needless = 0;
     for (size_t i = 0; i < sizeof guards / sizeof *guards; i++) {
         const struct guard *guard = &guards[i];
-        if (!holds(&env, guard))
+        // That it holds per fragment in highp its family's program says.
+        if ((guard->half || guard->vertex) && !holds(&env, guard))
             fail_msg("%s does not hold", guard->id);
         put(guard, guard->guarded, guard->taken);
         if (holds(&env, guard)) {

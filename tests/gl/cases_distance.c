@@ -71,6 +71,9 @@ static void test_other_inputs(void **state)
 static void test_flushed(void **state)
 {
     (void)state;
+    // In highp, or emulated, both APIs run the same shaders: the one without half floats asks.
+    if (case_half == SB_CASE_HALF)
+        return;
     const struct inputs inputs = {.add = scatter,
                                   .user = &(struct shell){1e-3, 1, 0},
                                   .more = "emulate_subnormals=flush"};

@@ -17,6 +17,9 @@ static void test_naive_forms_fail(void **state)
 static void test_other_maps(void **state)
 {
     (void)state;
+    // In highp, or emulated, both APIs run the same shaders: the one without half floats asks.
+    if (case_half == SB_CASE_HALF)
+        return;
     static const struct {
         const char *id, *more;
     } other[] = {

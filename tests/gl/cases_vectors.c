@@ -235,6 +235,9 @@ static void check_as_without_map(const char *id, int every)
 static void what_is_flat_is_lit_as_without_a_map(void **state)
 {
     (void)state;
+    // In highp, or emulated, both APIs run the same shaders: the one without half floats asks.
+    if (case_half == SB_CASE_HALF)
+        return;
     check_as_without_map("normalmap-flat", 0);
     check_as_without_map("tbn-parallel", 5);
 }
