@@ -48,7 +48,13 @@ void sb_shadow_world_close(struct sb_shadow_world *world)
 
 // --- pixels -------------------------------------------------------------------------------
 
-enum { COLOUR = 4, SHOWN = COLOUR + 3, N_DOT_L = COLOUR + 4, REACHED = COLOUR + 11 };
+enum {
+    COLOUR = 4,
+    NORMAL = COLOUR + 3,
+    SHOWN = COLOUR + 3,
+    N_DOT_L = COLOUR + 4,
+    REACHED = COLOUR + 11
+};
 
 int sb_shadow_pixel_count(const struct sb_shadow_world *world)
 {
@@ -64,6 +70,9 @@ bool sb_shadow_pixel_at(const struct sb_shadow_world *world, int pixel,
     const struct sb_vec3 place = {position[0], position[1], position[2]};
     at->from_light = sb_vec3_sub(place, world->light);
     at->distance = sb_vec3_length(at->from_light);
+    at->normal =
+        (struct sb_vec3){position[NORMAL - COLOUR], position[NORMAL - COLOUR + 1],
+                         position[NORMAL - COLOUR + 2]};
     at->n_dot_l = lit[N_DOT_L];
     at->shown = lit[SHOWN];
     return lit[REACHED] == 1;
@@ -104,6 +113,61 @@ struct sb_vec3 sb_shadow_centre(const struct sb_shadow_world *world,
         if (i != axis)
             d[i] = (2 * (fmin(floor((d[i] + 1) * n / 2), n - 1) + step[k++]) + 1 - n) / n;
     return (struct sb_vec3){d[0], d[1], d[2]};
+}
+
+// --- what is right ------------------------------------------------------------------------
+
+enum { AROUND = 9 }; // texels: 3 x 3
+
+static struct sb_vec3 around(const struct sb_shadow_world *world,
+                             struct sb_vec3 from_light, int i)
+{
+    return i == AROUND / 2 ? from_light
+                           : sb_shadow_centre(world, from_light, i % 3 - 1, i / 3 - 1);
+}
+
+double sb_shadow_gap(const struct sb_shadow_world *world, struct sb_vec3 from_light)
+{
+    double gap = INFINITY;
+    for (int i = 0; i < AROUND; i++) {
+        const struct sb_vec3 to = around(world, from_light, i);
+        // To the plane through the place that faces the light's ray.
+        const double along = sb_vec3_dot(to, from_light) / sb_vec3_length(to);
+        const double here = along - sb_shadow_seen(world, to);
+        gap = here < gap ? here : gap;
+    }
+    return gap > 0 ? gap : 0;
+}
+
+// Do all texels around a place see the plane that its surface lies in, and nothing before it?
+static bool sees_the_plane(const struct sb_shadow_world *world,
+                           const struct sb_shadow_pixel *at)
+{
+    const double slack =
+        0.1 * sb_shadow_texel(world, at->from_light) * sb_vec3_length(at->normal);
+    for (int i = 0; i < AROUND; i++) {
+        const struct sb_vec3 to = around(world, at->from_light, i);
+        const double along = sb_shadow_seen(world, to) / sb_vec3_length(to);
+        const struct sb_vec3 off = sb_vec3_sub(sb_vec3_scale(to, along), at->from_light);
+        if (!(fabs(sb_vec3_dot(off, at->normal)) < slack))
+            return false;
+    }
+    return true;
+}
+
+enum sb_shadow_truth sb_shadow_truth(const struct sb_shadow_world *world,
+                                     const struct sb_shadow_pixel *at)
+{
+    // The most that shadow_bias_kind=slope makes of the bias is ten times as much.
+    const double passed_over = 10 * world->bias * world->range;
+    const double texel = sb_shadow_texel(world, at->from_light);
+    if (at->distance >= world->range)
+        return SB_SHADOW_EDGE;
+    if (sb_shadow_gap(world, at->from_light) > passed_over + 2 * texel)
+        return SB_SHADOW_DARK;
+    const double cosine = -sb_vec3_dot(at->from_light, at->normal);
+    return cosine > 0.05 * at->distance && sees_the_plane(world, at) ? SB_SHADOW_LIT
+                                                                     : SB_SHADOW_EDGE;
 }
 
 // --- the map ------------------------------------------------------------------------------

@@ -27,6 +27,7 @@ void sb_shadow_world_close(struct sb_shadow_world *world);
 // A pixel that the light was evaluated at.
 struct sb_shadow_pixel {
     struct sb_vec3 from_light; // to the surface
+    struct sb_vec3 normal;     // as interpolated
     double distance, n_dot_l, shown;
 };
 bool sb_shadow_pixel_at(const struct sb_shadow_world *world, int pixel,
@@ -35,6 +36,16 @@ int sb_shadow_pixel_count(const struct sb_shadow_world *world);
 
 // How far the light sees in a direction, by the exact geometry; INFINITY: nothing in its range.
 double sb_shadow_seen(const struct sb_shadow_world *world, struct sb_vec3 direction);
+
+// Is a place lit, by the exact geometry? EDGE: a texel around it sees something else, or so little
+// before it that the bias may pass over it, and a map may say either.
+enum sb_shadow_truth { SB_SHADOW_EDGE, SB_SHADOW_LIT, SB_SHADOW_DARK };
+enum sb_shadow_truth sb_shadow_truth(const struct sb_shadow_world *world,
+                                     const struct sb_shadow_pixel *at);
+
+// How far a place is behind what the light sees first, along its ray: the least of the 3 x 3 texels
+// around it, >= 0. 0 where nothing lies before it, or the edge of its shadow is within a texel.
+double sb_shadow_gap(const struct sb_shadow_world *world, struct sb_vec3 from_light);
 
 // Side of a texel at that place, world units: a face is two of the largest component wide.
 double sb_shadow_texel(const struct sb_shadow_world *world, struct sb_vec3 from_light);
