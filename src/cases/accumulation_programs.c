@@ -42,11 +42,18 @@ static bool tell(const struct sb_case_env *env, const struct sb_case_setting *se
     return good;
 }
 
+static uint32_t bits_of(float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
 static double count_other_bits(const struct sb_image *a, const struct sb_image *b)
 {
     double other = 0;
     for (int i = 0; i < a->width * a->height * a->channels; i++)
-        other += memcmp(&a->data[i], &b->data[i], sizeof a->data[i]) != 0;
+        other += bits_of(a->data[i]) != bits_of(b->data[i]);
     return other;
 }
 

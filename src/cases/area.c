@@ -62,10 +62,10 @@ static void at_angle(struct sb_points *points, const struct sb_case_setting *set
 // of the input. A tube along the ray, and one of no length, are around it.
 static void along_the_ray(struct sb_points *points, const struct sb_case_setting *setting)
 {
-    for (double angle = 1; angle > 1e-3; angle /= 2)
-        at_angle(points, setting, angle);
-    for (double half = 1; half > 1e-3; half /= 4)
-        put_half_axis(light_at(points, 0, 0, 2), 0, 0, half);
+    for (int i = 0; i < 10; i++)
+        at_angle(points, setting, ldexp(1, -i));
+    for (int i = 0; i < 5; i++)
+        put_half_axis(light_at(points, 0, 0, 2), 0, 0, ldexp(1, -2 * i));
     put_half_axis(light_at(points, 0, 0, 2), 0, 0, 0);
 }
 

@@ -66,9 +66,11 @@ static void inverse_squares(struct sb_points *points,
                             const struct sb_case_setting *setting)
 {
     inverse_square(points, setting, 0);
-    // Up to 1 / d^2 = 1e-4, which is a normal half float, too.
-    for (double d = 1e-22; d < 100; d *= d < 1e-6 ? 10 : 1.5)
-        inverse_square(points, setting, d);
+    for (int i = -22; i < -6; i++)
+        inverse_square(points, setting, pow(10, i));
+    // Up to 84, where 1 / d^2 = 1e-4 is a normal half float, too.
+    for (int i = 0; i < 46; i++)
+        inverse_square(points, setting, 1e-6 * pow(1.5, i));
 }
 
 static void all_zero(struct sb_points *points, const struct sb_case_setting *setting)
@@ -90,8 +92,8 @@ static void at_distance(struct sb_points *points, const struct sb_case_setting *
 
 static void far_away(struct sb_points *points, const struct sb_case_setting *setting)
 {
-    for (double d = 0x1p-10; d < 3e4; d *= 1.25)
-        at_distance(points, setting, d);
+    for (int i = 0; i < 78; i++) // up to 2.8e4
+        at_distance(points, setting, 0x1p-10 * pow(1.25, i));
 }
 
 // The same; nearer than 1e-3, where colours would leave half precision, not attenuated.
@@ -104,8 +106,8 @@ static void near_by(struct sb_points *points, const struct sb_case_setting *sett
 
 static void closer(struct sb_points *points, const struct sb_case_setting *setting)
 {
-    for (double d = 0.1; d > 2e-7; d *= 0.8)
-        near_by(points, setting, d);
+    for (int i = 0; i < 59; i++) // down to 2.4e-7
+        near_by(points, setting, 0.1 * pow(0.8, i));
 }
 
 static void ends_of_floats(struct sb_points *points,

@@ -116,7 +116,7 @@ static void wait_for_crew(struct asked *asked)
 {
     enum { MOMENTS = 180 * 50 }; // three minutes
     const struct timespec moment = {0, 20000000};
-    int before = asked->count;
+    int before;
     for (int still = 0; sb_crew_works(asked->params->crew) && still < MOMENTS &&
                         !is_stopped(asked->params);
          still = asked->count == before ? still + 1 : 0) {
