@@ -474,8 +474,8 @@ static const struct sb_case rows[] = {
         .source = "derived: the gap is bias r, whatever a texel is",
         // Small where the surface faces the light, and larger with the slope: 0.0015 as a
         // constant shadows 5 % of what is lit and dark, and 0 12 %. What it leaves open: it is
-        // still a number of the scene, in units of the range. At 0.001 surfaces of this one
-        // shadow themselves in the map of 256, at 0.002 the widest gap is 5 texels.
+        // still a number of the scene, in units of the range. At 0.001 0.4 % are wrong
+        // again, at 0.002 the widest gap is 5 texels.
         .given = CASTER "width=192 height=192",
         .form = {"shadow_bias=0.01", "shadow_bias_kind=slope shadow_bias=0.0015 " HIGH},
         BY_PIXEL,
