@@ -4,101 +4,21 @@
 #include <stdio.h>
 
 #include "cases/face.h"
-#include "cases/own.h"
-#include "cases/shadow_world.h"
-
-// What a picture or a map has shown.
-struct finding {
-    double measured; // the case's figure; INFINITY where a value is not finite
-    int judged;      // pixels or texels that it is of
-    // Of pixels, by the exact geometry; and how many of these are shown otherwise.
-    int lit, dark, wrong;
-};
-typedef bool find_fn(const struct sb_shadow_world *, struct finding *, struct sb_error *);
-
-// The larger; what is not finite is larger than all.
-static double worse(double worst, double error)
-{
-    return !isfinite(error) ? INFINITY : error > worst ? error : worst;
-}
-
-static void hold_to_truth(const struct sb_shadow_world *world,
-                          const struct sb_shadow_pixel *at, struct finding *found)
-{
-    const enum sb_shadow_truth truth = sb_shadow_truth(world, at);
-    found->lit += truth == SB_SHADOW_LIT;
-    found->dark += truth == SB_SHADOW_DARK;
-    found->wrong += (truth == SB_SHADOW_LIT && !(at->shown == 1)) ||
-                    (truth == SB_SHADOW_DARK && !(at->shown == 0));
-}
-
-// Sets the outcome: `measured` has to be at most `bound`. A figure of next to nothing holds of itself,
-// and is no proof: it fails.
-enum { LEAST = 200 };
-static void judge(struct sb_outcome *outcome, const struct finding *found, double bound,
-                  const char *unit)
-{
-    sb_outcome_measured(outcome, SB_FIGURE_OWN, found->measured, bound);
-    sb_text_printf(&outcome->note, "%s", unit);
-    if (found->judged < LEAST) {
-        outcome->verdict = SB_VERDICT_FAIL;
-        sb_text_printf(&outcome->note, "; no proof: of %d, fewer than %d", found->judged,
-                       LEAST);
-    }
-}
-
-// The same of a figure about shadows, of which there must be some, and light, and shown where they
-// are. A constant bias leaves some acne at grazing angles (0.5 % of the room): a share may be wrong.
-enum { MOST_WRONG = 1 }; // percent
-static void judge_shadows(struct sb_outcome *outcome, const struct finding *found,
-                          double bound, const char *unit)
-{
-    judge(outcome, found, bound, unit);
-    if (found->lit < LEAST || found->dark < LEAST) {
-        outcome->verdict = SB_VERDICT_FAIL;
-        sb_text_printf(
-            &outcome->note,
-            "; no proof: %d pixels surely lit and %d surely dark, of one fewer "
-            "than %d",
-            found->lit, found->dark, LEAST);
-    }
-    if (100.0 * found->wrong <= MOST_WRONG * (found->lit + found->dark))
-        return;
-    if (outcome->verdict == SB_VERDICT_PASS) {
-        outcome->verdict = SB_VERDICT_FAIL;
-        outcome->measured = 100.0 * found->wrong / (found->lit + found->dark);
-        outcome->bound = MOST_WRONG;
-    }
-    sb_text_printf(&outcome->note,
-                   "; %d of %d surely lit or dark pixels are shown otherwise",
-                   found->wrong, found->lit + found->dark);
-}
-
-// A picture of a scene, and what it shows; *found is added to.
-static bool measure(const struct sb_case_env *env, const struct sb_variant *variant,
-                    const char *scene, find_fn *find, struct finding *found,
-                    struct sb_error *err)
-{
-    struct sb_shadow_world world = {0};
-    const bool good = sb_shadow_world_open(&world, env, variant, scene, err) &&
-                      find(&world, found, err);
-    sb_shadow_world_close(&world);
-    return good;
-}
+#include "cases/shadow_finding.h"
 
 // --- acne-slope ---------------------------------------------------------------------------
 
 // Pixels of a surface that nothing else shadows which do so themselves.
-static bool shadows_itself(const struct sb_shadow_world *world, struct finding *found,
-                           struct sb_error *err)
+static bool shadows_itself(const struct sb_shadow_world *world,
+                           struct sb_shadow_finding *found, struct sb_error *err)
 {
     (void)err;
     for (int i = 0; i < sb_shadow_pixel_count(world); i++) {
         struct sb_shadow_pixel at;
         if (!sb_shadow_pixel_at(world, i, &at))
             continue;
-        hold_to_truth(world, &at, found); // its back
-        if (at.n_dot_l <= 0.05)           // a NaN goes on
+        sb_shadow_hold_to_truth(world, &at, found); // its back
+        if (at.n_dot_l <= 0.05)                     // a NaN goes on
             continue;
         found->judged++;
         found->measured += !(isfinite(at.n_dot_l) && isfinite(at.shown) && at.shown >= 1);
@@ -111,33 +31,33 @@ static bool run_acne(const struct sb_case_env *env, const struct sb_case *it,
                      struct sb_error *err)
 {
     (void)it;
-    struct finding found = {0};
-    if (!measure(env, setting->variant, "sphere", shadows_itself, &found, err))
+    struct sb_shadow_finding found = {0};
+    if (!sb_shadow_measure(env, setting->variant, "sphere", shadows_itself, &found, err))
         return false;
-    judge_shadows(outcome, &found, 0, "pixels that shadow themselves");
+    sb_shadow_judge_shown(outcome, &found, 0, "pixels that shadow themselves");
     return true;
 }
 
 // --- peter-pan ----------------------------------------------------------------------------
 
 // The widest gap, in texels, between an occluder and the shadow that it throws.
-static bool widest_gap(const struct sb_shadow_world *world, struct finding *found,
-                       struct sb_error *err)
+static bool widest_gap(const struct sb_shadow_world *world,
+                       struct sb_shadow_finding *found, struct sb_error *err)
 {
     (void)err;
     for (int i = 0; i < sb_shadow_pixel_count(world); i++) {
         struct sb_shadow_pixel at;
         if (!sb_shadow_pixel_at(world, i, &at))
             continue;
-        hold_to_truth(world, &at, found);
+        sb_shadow_hold_to_truth(world, &at, found);
         if (!isfinite(at.shown) || !isfinite(at.n_dot_l))
             found->measured = INFINITY;
         if (!(at.shown > 0 && at.n_dot_l > 0))
             continue;
         found->judged++;
         found->measured =
-            worse(found->measured, sb_shadow_gap(world, at.from_light) /
-                                       sb_shadow_texel(world, at.from_light));
+            sb_worse(found->measured, sb_shadow_gap(world, at.from_light) /
+                                          sb_shadow_texel(world, at.from_light));
     }
     return true;
 }
@@ -148,15 +68,16 @@ static bool run_gap(const struct sb_case_env *env, const struct sb_case *it,
 {
     // A remedy that fits one map only is none.
     static const char *const size[] = {"shadow_size=512", "shadow_size=256"};
-    struct finding found = {0};
+    struct sb_shadow_finding found = {0};
     for (size_t i = 0; i < sizeof size / sizeof *size; i++) {
         struct sb_variant variant;
         if (!sb_case_variant(env, it, setting->form, setting->precision, false, size[i],
                              &variant, err) ||
-            !measure(env, &variant, "blocks", widest_gap, &found, err))
+            !sb_shadow_measure(env, &variant, "blocks", widest_gap, &found, err))
             return false;
     }
-    judge_shadows(outcome, &found, 2, "texels between an occluder and its shadow");
+    sb_shadow_judge_shown(outcome, &found, 2,
+                          "texels between an occluder and its shadow");
     return true;
 }
 
@@ -179,8 +100,8 @@ static bool near_an_outline(const struct sb_shadow_world *world, struct sb_vec3 
 }
 
 // The largest error of what is stored, in biases, within the range of the light.
-static bool stored_error(const struct sb_shadow_world *world, struct finding *found,
-                         struct sb_error *err)
+static bool stored_error(const struct sb_shadow_world *world,
+                         struct sb_shadow_finding *found, struct sb_error *err)
 {
     struct sb_image map = {0};
     if (!sb_shadow_map_read(world, &map, err))
@@ -194,7 +115,7 @@ static bool stored_error(const struct sb_shadow_world *world, struct finding *fo
             continue;
         const double error = fabs((double)map.data[i] - (1 - seen / world->range));
         found->judged++;
-        found->measured = worse(found->measured, error / world->bias);
+        found->measured = sb_worse(found->measured, error / world->bias);
     }
     sb_image_free(&map);
     return true;
@@ -204,11 +125,12 @@ static bool run_store(const struct sb_case_env *env, const struct sb_case *it,
                       const struct sb_case_setting *setting, struct sb_outcome *outcome,
                       struct sb_error *err)
 {
-    struct finding found = {0};
-    if (!measure(env, setting->variant, "room", stored_error, &found, err))
+    struct sb_shadow_finding found = {0};
+    if (!sb_shadow_measure(env, setting->variant, "room", stored_error, &found, err))
         return false;
-    judge(outcome, &found, sb_criterion_bound(it->criterion, setting->precision),
-          "biases that the stored distance is off");
+    sb_shadow_judge(outcome, &found,
+                    sb_criterion_bound(it->criterion, setting->precision),
+                    "biases that the stored distance is off");
     return true;
 }
 
@@ -269,8 +191,8 @@ static bool inside_a_face(const struct sb_shadow_world *world, struct sb_vec3 fr
 // Pixels that six textures and a cube map shadow differently, but for those within a texel of an
 // edge; and of both what is not as by the exact geometry, edges or not.
 static bool kinds_differ(const struct sb_case_env *env, const struct sb_case *it,
-                         const struct sb_case_setting *setting, struct finding *found,
-                         struct sb_error *err)
+                         const struct sb_case_setting *setting,
+                         struct sb_shadow_finding *found, struct sb_error *err)
 {
     struct sb_shadow_world world[2] = {0};
     bool good = true;
@@ -289,9 +211,9 @@ static bool kinds_differ(const struct sb_case_env *env, const struct sb_case *it
             continue;
         found->judged++;
         if (in_a)
-            hold_to_truth(&world[0], &a, found);
+            sb_shadow_hold_to_truth(&world[0], &a, found);
         if (in_b)
-            hold_to_truth(&world[1], &b, found);
+            sb_shadow_hold_to_truth(&world[1], &b, found);
         found->measured += in_a != in_b || (!(a.shown == b.shown) &&
                                             inside_a_face(&world[0], a.from_light));
     }
@@ -308,29 +230,30 @@ static bool run_tie(const struct sb_case_env *env, const struct sb_case *it,
     const int count =
         tie_directions(direction, sb_case_precisions[setting->precision].half);
     struct sb_image told = {0};
-    struct finding found = {.judged = count};
+    struct sb_shadow_finding found = {.judged = count};
     if (!sb_faces_tell(env, setting->variant, (const float(*)[3])direction, count, &told,
                        err))
         return false;
     found.measured = count_homeless(&told, (const float(*)[3])direction, count);
     sb_image_free(&told);
     if (found.measured > 0) {
-        judge(outcome, &found, 0, "directions that no face, or a wrong one, takes");
+        sb_shadow_judge(outcome, &found, 0,
+                        "directions that no face, or a wrong one, takes");
         return true;
     }
-    found = (struct finding){0};
+    found = (struct sb_shadow_finding){0};
     if (!kinds_differ(env, it, setting, &found, err))
         return false;
-    judge_shadows(outcome, &found, 0,
-                  "pixels that six textures and a cube map shadow differently");
+    sb_shadow_judge_shown(outcome, &found, 0,
+                          "pixels that six textures and a cube map shadow differently");
     return true;
 }
 
 // --- beyond-range -------------------------------------------------------------------------
 
 // Pixels that are farther from the light than it reaches, by more than rounding, and lit.
-static bool lit_beyond(const struct sb_shadow_world *world, struct finding *found,
-                       struct sb_error *err)
+static bool lit_beyond(const struct sb_shadow_world *world,
+                       struct sb_shadow_finding *found, struct sb_error *err)
 {
     (void)err;
     for (int i = 0; i < sb_shadow_pixel_count(world); i++) {
@@ -345,14 +268,14 @@ static bool lit_beyond(const struct sb_shadow_world *world, struct finding *foun
 }
 
 // Within the range, the light and the shadows that are there.
-static bool shown_within(const struct sb_shadow_world *world, struct finding *found,
-                         struct sb_error *err)
+static bool shown_within(const struct sb_shadow_world *world,
+                         struct sb_shadow_finding *found, struct sb_error *err)
 {
     (void)err;
     for (int i = 0; i < sb_shadow_pixel_count(world); i++) {
         struct sb_shadow_pixel at;
         if (sb_shadow_pixel_at(world, i, &at))
-            hold_to_truth(world, &at, found);
+            sb_shadow_hold_to_truth(world, &at, found);
     }
     return true;
 }
@@ -365,7 +288,7 @@ static bool run_beyond(const struct sb_case_env *env, const struct sb_case *it,
     static const char *const pair[] = {
         "shadow_map=six2d shadow_store=r16f", "shadow_map=array2d shadow_store=depth",
         "shadow_map=cube shadow_store=r32f", "shadow_map=cube_array shadow_store=r8"};
-    struct finding found = {0};
+    struct sb_shadow_finding found = {0};
     int asked = 0;
     for (size_t i = 0; i < sizeof pair / sizeof *pair; i++) {
         struct sb_variant variant, within;
@@ -376,8 +299,8 @@ static bool run_beyond(const struct sb_case_env *env, const struct sb_case *it,
             !sb_case_variant(env, it, setting->form, setting->precision, false, fine,
                              &within, err))
             return false;
-        if (!measure(env, &variant, "plane", lit_beyond, &found, err) ||
-            !measure(env, &within, "room", shown_within, &found, err)) {
+        if (!sb_shadow_measure(env, &variant, "plane", lit_beyond, &found, err) ||
+            !sb_shadow_measure(env, &within, "room", shown_within, &found, err)) {
             if (err->status != SB_OVER_LIMIT) // what a driver lacks is left out
                 return false;
             sb_text_printf(&outcome->note, "%s; ", err->text);
@@ -387,8 +310,8 @@ static bool run_beyond(const struct sb_case_env *env, const struct sb_case *it,
     }
     if (asked == 0)
         return false;
-    judge_shadows(outcome, &found, 0,
-                  "lit pixels beyond the range, of all kinds of map and store");
+    sb_shadow_judge_shown(outcome, &found, 0,
+                          "lit pixels beyond the range, of all kinds of map and store");
     return true;
 }
 
@@ -404,8 +327,8 @@ static bool passes(const struct sb_shadow_world *world, const struct sb_shadow_p
     return 1 - at->distance / world->range + world->bias > stored;
 }
 
-static bool count_flips(const struct sb_shadow_world *world, struct finding *found,
-                        struct sb_error *err)
+static bool count_flips(const struct sb_shadow_world *world,
+                        struct sb_shadow_finding *found, struct sb_error *err)
 {
     (void)err;
     int flips = 0, far = 0;
@@ -414,7 +337,7 @@ static bool count_flips(const struct sb_shadow_world *world, struct finding *fou
         if (!sb_shadow_pixel_at(world, i, &at) || at.distance >= world->range)
             continue;
         found->judged++;
-        hold_to_truth(world, &at, found);
+        sb_shadow_hold_to_truth(world, &at, found);
         far += !isfinite(at.shown);
         if ((at.shown > 0.5) == passes(world, &at, 0, 0))
             continue;
@@ -434,10 +357,10 @@ static bool run_flip(const struct sb_case_env *env, const struct sb_case *it,
                      struct sb_error *err)
 {
     (void)it;
-    struct finding found = {0};
-    if (!measure(env, setting->variant, "room", count_flips, &found, err))
+    struct sb_shadow_finding found = {0};
+    if (!sb_shadow_measure(env, setting->variant, "room", count_flips, &found, err))
         return false;
-    judge_shadows(
+    sb_shadow_judge_shown(
         outcome, &found, 0.5,
         "percent of pixels went the other way; 100: one of them not within a texel");
     return true;
