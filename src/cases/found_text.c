@@ -18,10 +18,7 @@ static void add_float(float value, struct sb_text *text)
 static void add_members(const struct sb_points *points, bool of_light,
                         struct sb_text *text)
 {
-    struct sb_points plain = *points;
-    plain.point = NULL;
-    plain.light = NULL;
-    plain.count = plain.capacity = 0;
+    struct sb_points plain = sb_points_like(points);
     sb_points_add(&plain);
     for (int k = 0; k < sb_knob_count; k++)
         for (int c = 0; c < sb_knobs[k].components; c++) {

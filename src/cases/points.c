@@ -18,6 +18,15 @@ void sb_points_init(struct sb_points *points, const struct sb_variant *variant)
         }
 }
 
+struct sb_points sb_points_like(const struct sb_points *points)
+{
+    struct sb_points like = *points;
+    like.point = NULL;
+    like.light = NULL;
+    like.count = like.capacity = 0;
+    return like;
+}
+
 void sb_points_free(struct sb_points *points)
 {
     free(points->point);

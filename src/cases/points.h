@@ -18,6 +18,8 @@ struct sb_points {
 
 // For the lights of a resolved variant. *points is overwritten; sb_points_free afterwards.
 void sb_points_init(struct sb_points *points, const struct sb_variant *variant);
+// An empty table for lights like these.
+struct sb_points sb_points_like(const struct sb_points *points);
 void sb_points_free(struct sb_points *points);
 
 // Appends a point: at the origin, facing +z, seen from (0, 0, 1), of white diffuse and specular

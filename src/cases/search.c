@@ -209,10 +209,7 @@ static double rounded_to(double value, int digits)
 // A point for each simpler value of each knob: what a plain point has, or fewer digits.
 static void simplify(const struct sb_points *from, struct sb_points *to)
 {
-    struct sb_points plain = *from;
-    plain.point = NULL;
-    plain.light = NULL;
-    plain.count = plain.capacity = 0;
+    struct sb_points plain = sb_points_like(from);
     sb_points_add(&plain);
     for (int k = 0; k < sb_knob_count; k++)
         for (int c = 0; c < sb_knobs[k].components; c++)
@@ -238,10 +235,7 @@ static bool shrink(struct search *search, struct sb_found *found, struct sb_erro
     enum { STEPS = 200 };
     bool good = true, simpler = true;
     for (int step = 0; good && simpler && step < STEPS; step++) {
-        struct sb_points tried = found->points;
-        tried.point = NULL;
-        tried.light = NULL;
-        tried.count = tried.capacity = 0;
+        struct sb_points tried = sb_points_like(&found->points);
         simplify(&found->points, &tried);
         struct score *score = sb_alloc((size_t)(tried.count + 1) * sizeof *score);
         good = tried.count == 0 || score_all(search, &tried, score, err);
@@ -273,10 +267,7 @@ static bool keep(struct search *search, const char *given, const struct sb_point
     for (int i = 0; i < findings->count; i++)
         if (findings->row[i].given == given)
             return true;
-    found.points = *points;
-    found.points.point = NULL;
-    found.points.light = NULL;
-    found.points.count = found.points.capacity = 0;
+    found.points = sb_points_like(points);
     sb_points_add(&found.points);
     found.points.point[0] = points->point[best->point];
     for (int i = 0; i < points->lights; i++)

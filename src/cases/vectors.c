@@ -25,13 +25,6 @@ struct sb_point *sb_vectors_add(struct sb_points *points,
     return point;
 }
 
-struct sb_vec3 sb_vectors_direction(struct sb_random *random)
-{
-    const double z = 2 * sb_random_unit(random) - 1;
-    const double angle = 2 * SB_PI * sb_random_unit(random), r = sqrt(1 - z * z);
-    return (struct sb_vec3){r * cos(angle), r * sin(angle), z};
-}
-
 struct sb_vec3 sb_vectors_across(struct sb_vec3 v)
 {
     const struct sb_vec3 axis = {fabs(v.x) < 0.5, fabs(v.x) >= 0.5, 0};
@@ -111,7 +104,7 @@ static void opposite_eyes(struct sb_points *points, const struct sb_case_setting
     (void)setting;
     struct sb_random random = sb_random_seed(17);
     for (int i = 0; i < 64; i++) {
-        const struct sb_vec3 light = sb_vectors_direction(&random);
+        const struct sb_vec3 light = sb_any_direction(&random);
         const struct sb_vec3 eye = sb_vec3_scale(light, i % 2 ? -1 : -2);
         sb_vectors_add(points, &(struct sb_vectors_point){ahead, light, eye});
     }
@@ -124,8 +117,8 @@ static void mirror_eyes(struct sb_points *points, const struct sb_case_setting *
     (void)setting;
     struct sb_random random = sb_random_seed(19);
     for (int i = 0; i < 256; i++) {
-        const struct sb_vec3 normal = sb_vectors_direction(&random);
-        struct sb_vec3 light = sb_vectors_direction(&random);
+        const struct sb_vec3 normal = sb_any_direction(&random);
+        struct sb_vec3 light = sb_any_direction(&random);
         if (sb_vec3_dot(light, normal) < 0)
             light = sb_vec3_scale(light, -1);
         sb_vectors_add(points,

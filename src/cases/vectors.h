@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cases/case.h"
+#include "cases/directions.h"
 #include "math/random.h"
 #include "math/vec.h"
 
@@ -14,8 +15,7 @@ struct sb_vectors_point {
 struct sb_point *sb_vectors_add(struct sb_points *points,
                                 const struct sb_vectors_point *vectors);
 
-// A unit vector, evenly spread over the sphere, and one at right angles to it.
-struct sb_vec3 sb_vectors_direction(struct sb_random *random);
+// A unit vector at right angles to a unit vector.
 struct sb_vec3 sb_vectors_across(struct sb_vec3 v);
 
 // vectors_frames.c: maps=normal.

@@ -40,7 +40,7 @@ void sb_vectors_flat_frames(struct sb_points *points,
     static const struct sb_vec3 none = {0};
     struct sb_random random = sb_random_seed(11);
     for (int i = 0; i < 32; i++) {
-        const struct sb_vec3 tilt = sb_vec3_scale(sb_vectors_direction(&random), 0.5);
+        const struct sb_vec3 tilt = sb_vec3_scale(sb_any_direction(&random), 0.5);
         const struct sb_vec3 normal = sb_vec3_normalise(sb_vec3_add(ahead, tilt));
         const struct sb_vec3 across = sb_vectors_across(normal);
         add_frame(points, normal, normal); // parallel

@@ -96,7 +96,7 @@ static double worst_angle(const struct model *model, const struct matrix *matrix
     struct sb_random random = sb_random_seed(3);
     double worst = 0;
     for (int i = 0; i < NORMALS; i++) {
-        const struct sb_vec3 normal = sb_vectors_direction(&random);
+        const struct sb_vec3 normal = sb_any_direction(&random);
         const struct sb_vec3 got = turned(matrix, normal);
         const double angle = angle_between(got, right_normal(model, normal));
         worst = fmax(worst, isfinite(angle) ? angle : INFINITY);
@@ -137,7 +137,7 @@ static double count_bad(const struct model *model, const struct matrix *matrix)
     for (int i = 0; i < 9; i++)
         bad += !isfinite(matrix->m[i]);
     for (int i = 0; i < NORMALS; i++) {
-        const struct sb_vec3 normal = sb_vectors_direction(&random);
+        const struct sb_vec3 normal = sb_any_direction(&random);
         const struct sb_vec3 outwards = sb_mat4_transform_point(m, normal);
         bad += !is_normal(model, normal, outwards, turned(matrix, normal));
     }
