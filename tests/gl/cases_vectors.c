@@ -45,18 +45,17 @@ static void put(float *out, struct sb_vec3 v)
 // Normals of any length, and none.
 static void any_normals(struct sb_random *random, struct sb_points *points)
 {
-    struct sb_vec3 normal = sb_vectors_direction(random);
+    struct sb_vec3 normal = sb_any_direction(random);
     normal = sb_random_below(random, 8) ? scaled(random, normal, -5)
                                         : sb_vec3_scale(normal, 0);
-    sb_vectors_add(points,
-                   &(struct sb_vectors_point){normal, sb_vectors_direction(random),
-                                              sb_vectors_direction(random)});
+    sb_vectors_add(points, &(struct sb_vectors_point){normal, sb_any_direction(random),
+                                                      sb_any_direction(random)});
 }
 
 // Between two normals up to 120 degrees apart, anywhere.
 static void between_any_normals(struct sb_random *random, struct sb_points *points)
 {
-    const struct sb_vec3 up = sb_vectors_direction(random);
+    const struct sb_vec3 up = sb_any_direction(random);
     const struct sb_vec3 across = sb_vectors_across(up);
     const double t = sb_random_unit(random), slope = 3 * sb_random_unit(random);
     const struct sb_vec3 lean =
@@ -71,14 +70,14 @@ static void between_any_normals(struct sb_random *random, struct sb_points *poin
 // Any tangent: along the normal, across it, none, and a bitangent that is rounding only.
 static void any_frames(struct sb_random *random, struct sb_points *points)
 {
-    const struct sb_vec3 normal = sb_vectors_direction(random);
+    const struct sb_vec3 normal = sb_any_direction(random);
     const struct sb_vec3 light =
-        sb_vec3_add(normal, sb_vec3_scale(sb_vectors_direction(random), 0.5));
+        sb_vec3_add(normal, sb_vec3_scale(sb_any_direction(random), 0.5));
     struct sb_point *point =
         sb_vectors_add(points, &(struct sb_vectors_point){normal, light, light});
     struct sb_vec3 tangent = sb_vec3_scale(normal, 2 * sb_random_unit(random) - 1);
     if (sb_random_below(random, 2))
-        tangent = sb_vec3_cross(normal, sb_vectors_direction(random));
+        tangent = sb_vec3_cross(normal, sb_any_direction(random));
     if (sb_random_below(random, 4) == 0)
         tangent = (struct sb_vec3){0, 0, 0};
     put(point->tangent, tangent);
@@ -91,10 +90,9 @@ static void any_frames(struct sb_random *random, struct sb_points *points)
 // Texels outside of the circle, of 8 bits.
 static void any_long_bumps(struct sb_random *random, struct sb_points *points)
 {
-    struct sb_point *point =
-        sb_vectors_add(points, &(struct sb_vectors_point){{0, 0, 1},
-                                                          sb_vectors_direction(random),
-                                                          sb_vectors_direction(random)});
+    struct sb_point *point = sb_vectors_add(
+        points, &(struct sb_vectors_point){
+                    {0, 0, 1}, sb_any_direction(random), sb_any_direction(random)});
     int x, y;
     do {
         x = (int)sb_random_below(random, 255) + 1;
@@ -107,7 +105,7 @@ static void any_long_bumps(struct sb_random *random, struct sb_points *points)
 // The flat texel, any frame at right angles to any normal.
 static void any_flat_bumps(struct sb_random *random, struct sb_points *points)
 {
-    const struct sb_vec3 normal = sb_vectors_direction(random);
+    const struct sb_vec3 normal = sb_any_direction(random);
     const struct sb_vec3 across = sb_vectors_across(normal);
     struct sb_point *point = sb_vectors_add(
         points, &(struct sb_vectors_point){
@@ -131,14 +129,14 @@ static void any_opposite_eyes(struct sb_random *random, struct sb_points *points
 {
     const struct sb_vec3 at = eighths(random), d = eighths(random);
     struct sb_point *point = sb_vectors_add(
-        points, &(struct sb_vectors_point){sb_vectors_direction(random),
-                                           sb_vec3_add(at, d), sb_vec3_sub(at, d)});
+        points, &(struct sb_vectors_point){sb_any_direction(random), sb_vec3_add(at, d),
+                                           sb_vec3_sub(at, d)});
     put(point->position, at);
 }
 
 static void any_peaks(struct sb_random *random, struct sb_points *points)
 {
-    const struct sb_vec3 normal = sb_vectors_direction(random);
+    const struct sb_vec3 normal = sb_any_direction(random);
     const struct sb_vec3 across = sb_vectors_across(normal);
     const struct sb_vec3 side = sb_vec3_scale(across, sb_random_unit(random));
     sb_vectors_add(
@@ -150,11 +148,11 @@ static void any_peaks(struct sb_random *random, struct sb_points *points)
 
 static void any_places(struct sb_random *random, struct sb_points *points)
 {
-    const struct sb_vec3 at = scaled(random, sb_vectors_direction(random), 13);
-    const struct sb_vec3 normal = sb_vectors_direction(random);
+    const struct sb_vec3 at = scaled(random, sb_any_direction(random), 13);
+    const struct sb_vec3 normal = sb_any_direction(random);
     struct sb_point *point = sb_vectors_add(
         points, &(struct sb_vectors_point){
-                    normal, sb_vec3_add(at, sb_vectors_direction(random)), {0, 0, 0}});
+                    normal, sb_vec3_add(at, sb_any_direction(random)), {0, 0, 0}});
     put(point->position, at);
 }
 
