@@ -42,15 +42,6 @@ static void wrong_values_say_what_is_valid(void **state)
     check_answer("run a b", 2, "\"b\" is one too many");
 }
 
-static void what_is_not_implemented_is_refused_by_name(void **state)
-{
-    (void)state;
-    check_answer("run --context null --set specialise=uber", 2,
-                 "specialise=uber: not implemented yet; implemented: scene");
-    check_answer("run --context null --set specialise=uber", 2,
-                 "not implemented yet; implemented: scene");
-}
-
 static void a_wrong_suite_file_names_file_line_and_column(void **state)
 {
     (void)state;
@@ -177,7 +168,6 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(unknown_words_are_answered_with_the_nearest_and_the_valid),
         cmocka_unit_test(wrong_values_say_what_is_valid),
-        cmocka_unit_test(what_is_not_implemented_is_refused_by_name),
         cmocka_unit_test(a_wrong_suite_file_names_file_line_and_column),
         cmocka_unit_test(every_message_is_one_line),
         cmocka_unit_test(folders_that_cannot_be_read_or_written_are_named),

@@ -184,9 +184,6 @@ static void wrong_axes_and_values_are_refused_where_they_stand(void **state)
               "point: is there already; an axis stands once, in sweep or in cross");
     must_fail("suite: x\nexclude:\n  - point>1\n  - point=>1\n", ":4:5",
               "is not a number");
-    must_fail("suite: x\nsweep:\n  specialise: [scene, uber]\n", ":3:23",
-              "specialise=uber: not implemented yet; implemented: scene");
-    assert_int_equal(err.status, SB_NOT_IMPLEMENTED);
 }
 
 static void measure_sets_rows_of_its_table(void **state)
