@@ -30,14 +30,32 @@ struct sb_caps {
 #undef CAP_NUMBER
 };
 
+enum { SB_JOB_LIGHT_TYPES = 4 }; // dir, point, spot, area, as scene/lights.h has them
+
 struct sb_program { // final GLSL, by role
     const char
-        *role; // "shade": the lit draws; "shadow": the shadow maps; "lamp": unlit draws;
+        *role; // "shade": the lit draws, as many as there are entries of job.lit; "shadow": the shadow maps; "lamp": unlit draws;
     // "probe": as shade, and it tells what it computed on the way; "inputs": as
     // shade, and it tells what it was given. Both are compiled when a picture of
     // them is first asked for, and never timed; "rows": lights points of a table
     // (SB_IMAGE_ROWS), alone in its job
     const char *vertex, *geometry, *fragment; // geometry NULL: none
+};
+
+// What lights some draws: a program, and the lights that it is given. A program that stands in
+// several of these is compiled once.
+struct sb_lit {
+    int program;               // place in the job's programs, of role "shade"
+    struct sb_variant variant; // of its text: what its arrays have room for
+    const int *light; // numbers in the scene's whole list, types one after another …
+    int light_count[SB_JOB_LIGHT_TYPES]; // … and how many of each
+    const int *draw; // numbers of draws that show no lamp, in the order drawn
+    int draw_count;
+};
+
+struct sb_job_uniform { // an int or bool that programs are told with each draw
+    const char *name;
+    const int *value; // of each draw of the scene
 };
 
 struct sb_job {  // one variant ready to draw
@@ -49,6 +67,12 @@ struct sb_job {  // one variant ready to draw
     // they must outlive the job. All others it has done with when prepare returns.
     const struct sb_program *program;
     int program_count;
+    // 0: one program "shade" lights all draws with all lights. All of these arrays must outlive
+    // the job. Each draw that shows no lamp is in one entry.
+    const struct sb_lit *lit;
+    int lit_count;
+    const struct sb_job_uniform *uniform;
+    int uniform_count;
 };
 
 struct sb_prepared {
@@ -66,6 +90,8 @@ struct sb_prepared {
     int64_t vertices;  // per frame, all draws and layers
     int64_t fragments; // covered pixels of the id target, times layers
     int64_t gl_calls;  // per frame
+    int programs;      // that light
+    int switches;      // of these in a frame: runs of draws of one program, less 1
     int casters;       // point lights that have a shadow map: what SB_IMAGE_SHADOW shows
     bool
         draws_shadows; // a frame draws the shadow maps again, so that SB_PART_SHADOWS is a

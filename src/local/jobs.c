@@ -31,7 +31,7 @@ static void job_free(struct sb_local *local, struct sb_local_job *job)
 {
     sb_pool_ring_put(&local->pool, job->half);
     sb_pool_ring_put(&local->pool, job->ring);
-    sb_binding_free(&job->binding);
+    sb_local_lit_free(&job->lit);
     sb_binding_free(&job->lamp);
     for (int i = 0; i < SB_LOCAL_PROBES; i++)
         sb_binding_free(&job->probe[i].binding);
@@ -67,24 +67,24 @@ static bool make_shadows(const struct sb_local *local, struct sb_local_job *job,
     if (!sb_local_has_role(job, SB_LOCAL_SHADOW, err) ||
         !sb_shadow_make(&job->shadow, &params, err))
         return false;
-    sb_shadow_set_units(&job->shadow, job->program[SB_LOCAL_SHADE].name);
+    for (int i = 0; i < job->lit.program_count; i++)
+        sb_shadow_set_units(&job->shadow, job->lit.program[i].name);
     sb_shadow_draw(&job->shadow, &job->shadow.phase[0]);
     return sb_local_gl_ok("drawing the shadow maps of", job->id, err);
 }
 
-static bool bind_programs(struct sb_local_job *job, struct sb_error *err)
+static bool bind_programs(struct sb_local_job *job, const struct sb_job *request,
+                          struct sb_error *err)
 {
-    struct sb_binding_params params = {
-        .program = job->program[SB_LOCAL_SHADE].name,
-        .upload = &job->scene->upload,
-        .variant = &job->variant,
-    };
-    if (!sb_local_has_role(job, SB_LOCAL_SHADE, err) ||
-        !sb_binding_make(&job->binding, &params, err))
+    if (!sb_local_lit_bind(job, request, err))
         return false;
     if (!shows_lamps(&job->scene->scene))
         return true;
-    params.program = job->program[SB_LOCAL_LAMP].name;
+    const struct sb_binding_params params = {
+        .program = job->program[SB_LOCAL_LAMP].name,
+        .upload = &job->scene->upload,
+        .variant = &job->variant,
+    };
     return sb_local_has_role(job, SB_LOCAL_LAMP, err) &&
            sb_binding_make(&job->lamp, &params, err);
 }
@@ -108,6 +108,8 @@ static bool count_work(struct sb_local *local, const struct sb_local_job *job,
     result->vertices = sb_scene_triangles(&job->scene->scene) * 3 * job->shape.layers;
     result->casters = job->shadow.casters;
     result->draws_shadows = job->shadow.phase_count > 1;
+    result->programs = job->lit.program_count;
+    result->switches = sb_local_lit_switches(&job->lit, job->shape.layers);
     if (result->draws_shadows)
         result->vertices += sb_shadow_vertices(&job->shadow);
 
@@ -168,7 +170,7 @@ bool sb_local_prepare(void *self, const struct sb_job *request,
     job->ring = sb_pool_ring_get(&local->pool, &local->caps, &job->shape, err);
     if (!job->ring)
         goto error;
-    if (!sb_local_compile(job, request, result) || !bind_programs(job, err) ||
+    if (!sb_local_compile(job, request, result) || !bind_programs(job, request, err) ||
         !make_shadows(local, job, err))
         goto error;
     job->next = local->jobs;

@@ -17,19 +17,20 @@ static bool read_back(const struct sb_local_job *job, const struct sb_target *ta
 }
 
 void sb_local_still(const struct sb_local_job *job, const struct sb_binding *binding,
-                    const struct sb_image_request *request)
+                    int binding_count, const struct sb_image_request *request)
 {
-    if (request->off_count > 0 || binding->phase_count > 1)
-        sb_binding_lights(binding, request->off_first, request->off_count);
+    for (int i = 0; i < binding_count; i++)
+        if (request->off_count > 0 || binding[i].phase_count > 1)
+            sb_binding_lights(&binding[i], request->off_first, request->off_count);
     if (job->shadow.phase_count > 1)
         sb_shadow_draw(&job->shadow, &job->shadow.phase[0]);
 }
 
-void sb_local_lights_on(const struct sb_binding *binding,
+void sb_local_lights_on(const struct sb_binding *binding, int binding_count,
                         const struct sb_image_request *request)
 {
-    if (request->off_count > 0)
-        sb_binding_lights(binding, 0, 0);
+    for (int i = 0; request->off_count > 0 && i < binding_count; i++)
+        sb_binding_lights(&binding[i], 0, 0);
 }
 
 static bool colour(const struct sb_local *local, struct sb_local_job *job,
@@ -38,9 +39,9 @@ static bool colour(const struct sb_local *local, struct sb_local_job *job,
 {
     struct sb_frame_params frame = sb_local_frame(local, job);
     frame.target = target;
-    sb_local_still(job, &job->binding, request);
+    sb_local_still(job, frame.binding, frame.binding_count, request);
     sb_frame_draw(&frame);
-    sb_local_lights_on(&job->binding, request);
+    sb_local_lights_on(frame.binding, frame.binding_count, request);
     return read_back(job, target, image, err);
 }
 

@@ -125,6 +125,7 @@ static struct sb_frame_params frame_of(const struct sb_local *local,
 {
     struct sb_frame_params frame = sb_local_frame(local, job);
     frame.binding = &probe_of(job, request)->binding;
+    frame.binding_count = 1;
     frame.target = target;
     frame.layers = 1;
     frame.blank = &job->blank;
@@ -146,9 +147,9 @@ static bool pixels(struct sb_local *local, struct sb_local_job *job,
         frame.pixel = at;
         part = (struct sb_target_part){request->x, request->y, 1, 1};
     }
-    sb_local_still(job, frame.binding, request);
+    sb_local_still(job, frame.binding, 1, request);
     sb_frame_draw(&frame);
-    sb_local_lights_on(frame.binding, request);
+    sb_local_lights_on(frame.binding, 1, request);
     return sb_local_read(job, &local->probe_target, &part, image, err);
 }
 
@@ -166,9 +167,9 @@ static bool colour(struct sb_local *local, struct sb_local_job *job,
     const struct sb_target_part all = {0, 0, shape.width, shape.height};
     const struct sb_target *target = &ring->ring.target[0];
     const struct sb_frame_params frame = frame_of(local, job, request, target);
-    sb_local_still(job, frame.binding, request);
+    sb_local_still(job, frame.binding, 1, request);
     sb_frame_draw(&frame);
-    sb_local_lights_on(frame.binding, request);
+    sb_local_lights_on(frame.binding, 1, request);
     const bool ok = sb_local_read(job, target, &all, image, err);
     sb_pool_ring_put(&local->pool, ring);
     return ok;
@@ -197,9 +198,9 @@ static bool vertices(const struct sb_local *local, struct sb_local_job *job,
         .floats = CAPTURED,
         .gles = local->caps.gles,
     };
-    sb_local_still(job, params.binding, request);
+    sb_local_still(job, params.binding, 1, request);
     sb_capture_draw(&params, values);
-    sb_local_lights_on(params.binding, request);
+    sb_local_lights_on(params.binding, 1, request);
     const bool ok = sb_local_gl_ok("capturing the vertices of", job->id, err);
     if (ok) {
         sb_image_init(image, (int)count, 1, 4 + PAGE);

@@ -52,6 +52,8 @@ static bool take_role(struct sb_local_job *job, const struct sb_program *source,
 {
     if (role == SB_LOCAL_ROLE_COUNT)
         return false;
+    if (role == SB_LOCAL_SHADE)
+        return true;
     if (role < SB_LOCAL_PROBE)
         return job->program[role].name == 0;
     struct sb_program *kept = &job->probe[role - SB_LOCAL_PROBE].source;
@@ -69,12 +71,14 @@ bool sb_local_compile(struct sb_local_job *job, const struct sb_job *request,
         const int role = role_of(source);
         if (!take_role(job, source, role))
             return sb_fail(&result->error, SB_BAD_INPUT,
-                           "job %" PRIu32 ": a program for the role \"%s\"; valid: one "
-                           "each for shade, shadow, lamp, probe and inputs",
+                           "job %" PRIu32 ": a program for the role \"%s\"; valid: any "
+                           "for shade, one each for shadow, lamp, probe and inputs",
                            request->id, source->role);
         if (role >= SB_LOCAL_PROBE)
             continue;
-        struct sb_gl_program *program = &job->program[role];
+        struct sb_gl_program *program = role == SB_LOCAL_SHADE
+                                            ? sb_local_lit_next(&job->lit, request, i)
+                                            : &job->program[role];
         const bool ok = sb_gl_program_make(source, program);
         result->compile_ms += program->compile_ms;
         result->link_ms += program->link_ms;

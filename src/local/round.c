@@ -32,7 +32,8 @@ struct sb_frame_params sb_local_frame(const struct sb_local *local,
                                       const struct sb_local_job *job)
 {
     return (struct sb_frame_params){
-        .binding = &job->binding,
+        .binding = job->lit.binding,
+        .binding_count = job->lit.binding_count,
         .lamp = job->lamp.program ? &job->lamp : NULL,
         .shadow = job->shadow.casters > 0 ? &job->shadow : NULL,
         .layers = job->shape.layers,
@@ -47,7 +48,7 @@ void sb_local_batch(struct sb_local *local, const struct sb_local_job *job,
 {
     struct sb_frame_params frame = sb_local_frame(local, job);
     frame.shadows_only = shot->part == SB_PART_SHADOWS;
-    const bool moves = job->binding.phase_count > 1;
+    const bool moves = job->lit.binding->phase_count > 1;
     int64_t frame_calls = 0;
     const int64_t cpu_begin = sb_cpu_ns();
     const int64_t begin = sb_clock_ns();
@@ -56,7 +57,7 @@ void sb_local_batch(struct sb_local *local, const struct sb_local_job *job,
     for (int i = 0; i < shot->frames; i++) {
         frame.target = &ring->target[i % SB_RING_SIZE];
         if (moves)
-            frame.phase = i % job->binding.phase_count;
+            frame.phase = i % job->lit.binding->phase_count;
         frame_calls = sb_frame_draw(&frame);
     }
     if (local->timer)

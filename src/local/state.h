@@ -42,7 +42,7 @@ void sb_pool_ring_put(struct sb_pool *pool, struct sb_shared_ring *ring); // NUL
 // --- the runner ------------------------------------------------------------------------
 
 enum sb_local_role {
-    SB_LOCAL_SHADE,
+    SB_LOCAL_SHADE, // may have several programs: struct sb_local_lit
     SB_LOCAL_SHADOW,
     SB_LOCAL_LAMP,
     SB_LOCAL_ROWS,  // alone in its job
@@ -58,6 +58,16 @@ struct sb_local_probe {
     struct sb_binding binding; // program 0: not made yet
 };
 
+// The programs that light, and what each of them lights.
+struct sb_local_lit {
+    struct sb_gl_program *program; // in the order of the job
+    int *place;                    // in the job's programs, of each
+    int program_count;
+    struct sb_binding *binding; // one an entry of the job's `lit`; one where it has none
+    int binding_count;
+    int *values; // own what the bindings point to
+};
+
 struct sb_local_job {
     struct sb_local_job *next;
     uint32_t id;
@@ -65,7 +75,8 @@ struct sb_local_job {
     struct sb_shape shape;
     struct sb_shared_scene *scene;                     // NULL with a program "rows"
     struct sb_gl_program program[SB_LOCAL_ROLE_COUNT]; // name 0: the job has none
-    struct sb_binding binding, lamp;                   // of the lit draws, and of lamps
+    struct sb_local_lit lit;                           // of the lit draws
+    struct sb_binding lamp;                            // of lamps
     struct sb_local_probe probe[SB_LOCAL_PROBES];      // "probe" and "inputs"
     struct sb_binding blank;            // wipes out behind lamps; program 0: not made yet
     struct sb_shadow shadow;            // casters 0: none
@@ -90,6 +101,16 @@ struct sb_local {
 // Compiles the job's programs; what fails, and how long it took, goes into *result.
 bool sb_local_compile(struct sb_local_job *job, const struct sb_job *request,
                       struct sb_prepared *result);
+// Room for the programs of role "shade" among the request's. The next one of them to compile:
+struct sb_gl_program *sb_local_lit_next(struct sb_local_lit *lit,
+                                        const struct sb_job *request, int place);
+// Binds the compiled programs to the lights and draws that the request says.
+bool sb_local_lit_bind(struct sb_local_job *job, const struct sb_job *request,
+                       struct sb_error *err);
+// Runs of draws of one program in a frame, less 1.
+int sb_local_lit_switches(const struct sb_local_lit *lit, int layers);
+void sb_local_lit_free(struct sb_local_lit *lit); // zeroes it
+
 // Compiles the program "probe" or "inputs" of a job that has its source; the error names stage
 // and message.
 bool sb_local_compile_probe(struct sb_local_job *job, enum sb_local_role role,
@@ -121,12 +142,12 @@ void sb_local_release(void *self, uint32_t id);
 struct sb_local_job *sb_local_job_find(const struct sb_local *local, uint32_t id,
                                        struct sb_error *err);
 
-// Puts the job's lights, as this binding has uploaded them, and its shadow maps in the state of
+// Puts the job's lights, as these bindings have uploaded them, and its shadow maps in the state of
 // a picture: the first phase, and those off that the request wants off. Afterwards
 // sb_local_lights_on, before anything waits: no upload may be left over for the next batch.
 void sb_local_still(const struct sb_local_job *job, const struct sb_binding *binding,
-                    const struct sb_image_request *request);
-void sb_local_lights_on(const struct sb_binding *binding,
+                    int binding_count, const struct sb_image_request *request);
+void sb_local_lights_on(const struct sb_binding *binding, int binding_count,
                         const struct sb_image_request *request);
 // The size of the picture that is asked for.
 struct sb_shape sb_local_shape(const struct sb_local_job *job,

@@ -120,43 +120,76 @@ struct sb_phase sb_phase_of(const struct sb_variant *variant, int number)
     };
 }
 
-static void make_phases(struct sb_binding *binding, const struct sb_variant *variant)
+// The lights of the whole list that the binding has.
+static void choose_lights(struct sb_binding *binding,
+                          const struct sb_binding_params *params)
 {
+    const struct sb_lights *all = &binding->upload->scene->lights;
+    struct sb_lights *chosen = &binding->phase[0];
+    for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++)
+        chosen->count[type] =
+            params->light_count ? params->light_count[type] : all->count[type];
+    const int total = sb_lights_total(chosen);
+    binding->number = sb_alloc(((size_t)total + 1) * sizeof *binding->number);
+    for (int i = 0; i < total; i++)
+        binding->number[i] = params->light_count ? params->light[i] : i;
+}
+
+static void make_phases(struct sb_binding *binding,
+                        const struct sb_binding_params *params)
+{
+    const struct sb_variant *variant = params->variant;
     const struct sb_scene *scene = binding->upload->scene;
-    const size_t total = (size_t)sb_lights_total(&scene->lights);
+    const size_t all = (size_t)sb_lights_total(&scene->lights);
+    const size_t total = (size_t)sb_lights_total(&binding->phase[0]);
     const bool moves = variant->value[SB_AXIS_UPDATE] != SB_UPDATE_STATIC;
+    struct sb_light *moved = sb_alloc((all + 1) * sizeof *moved);
     binding->phase_count = moves ? SB_PHASES : 1;
-    binding->as_lit =
-        sb_alloc((size_t)binding->phase_count * total * sizeof *binding->as_lit);
+    binding->as_lit = sb_alloc(((size_t)binding->phase_count * total + 1) *
+                               sizeof *binding->as_lit);
+    binding->now_light = sb_alloc((total + 1) * sizeof *binding->now_light);
+    binding->now = binding->phase[0];
+    binding->now.light = binding->now_light;
     struct sb_light *light = binding->as_lit;
     for (int i = 0; i < binding->phase_count; i++) {
         const struct sb_phase phase = sb_phase_of(variant, i);
-        binding->phase[i] = scene->lights;
+        const int *number = binding->number;
+        binding->phase[i] = binding->phase[0];
         binding->phase[i].light = light;
-        sb_lights_phase(&scene->lights, &phase, light);
+        sb_lights_phase(&scene->lights, &phase, moved);
         for (int type = 0; type < SB_LIGHT_TYPE_COUNT; type++) {
-            for (int n = 0; n < scene->lights.count[type]; n++, light++)
-                *light = sb_light_as_lit(light, type, variant, &scene->camera);
+            for (int n = 0; n < binding->phase[i].count[type]; n++, light++)
+                *light =
+                    sb_light_as_lit(&moved[*number++], type, variant, &scene->camera);
         }
     }
+    free(moved);
 }
 
 void sb_binding_lights(const struct sb_binding *binding, int off_first, int off_count)
 {
-    struct sb_lights lights = binding->phase[0];
-    const int total = sb_lights_total(&lights);
-    struct sb_light *copy = sb_alloc((size_t)total * sizeof *copy);
-    for (int i = 0; i < total; i++) {
-        copy[i] = lights.light[i];
-        if (i < off_first || i - off_first >= off_count)
+    const struct sb_lights *lights = &binding->phase[0];
+    for (int i = 0; i < sb_lights_total(lights); i++) {
+        struct sb_light *now = &binding->now_light[i];
+        *now = lights->light[i];
+        if (binding->number[i] < off_first ||
+            binding->number[i] - off_first >= off_count)
             continue;
-        memset(copy[i].ambient, 0, sizeof copy[i].ambient);
-        memset(copy[i].diffuse, 0, sizeof copy[i].diffuse);
-        memset(copy[i].specular, 0, sizeof copy[i].specular);
+        memset(now->ambient, 0, sizeof now->ambient);
+        memset(now->diffuse, 0, sizeof now->diffuse);
+        memset(now->specular, 0, sizeof now->specular);
     }
-    lights.light = copy;
-    sb_light_upload_set(&binding->lights, &lights);
-    free(copy);
+    sb_light_upload_set(&binding->lights, &binding->now);
+}
+
+int64_t sb_binding_phase(const struct sb_binding *binding, int phase)
+{
+    const struct sb_lights *lights = &binding->phase[phase];
+    if (!binding->shares_program || !binding->lights.sets_uniforms)
+        return sb_light_upload_set(&binding->lights, lights);
+    memcpy(binding->now_light, lights->light,
+           (size_t)sb_lights_total(lights) * sizeof *lights->light);
+    return 0; // when it is bound
 }
 
 // --- all of it -------------------------------------------------------------------------
@@ -181,6 +214,19 @@ static bool set_maps(struct sb_binding *binding, struct sb_error *err)
     return true;
 }
 
+static void find_draw_uniforms(struct sb_binding *binding,
+                               const struct sb_binding_params *params)
+{
+    for (int i = 0; i < params->draw_uniform_count; i++) {
+        const struct sb_draw_uniform *it = &params->draw_uniform[i];
+        const GLint location = glGetUniformLocation(binding->program, it->name);
+        if (location < 0)
+            continue;
+        binding->draw_uniform[binding->draw_uniform_count] = location;
+        binding->draw_uniform_value[binding->draw_uniform_count++] = it->value;
+    }
+}
+
 bool sb_binding_make(struct sb_binding *binding, const struct sb_binding_params *params,
                      struct sb_error *err)
 {
@@ -189,13 +235,16 @@ bool sb_binding_make(struct sb_binding *binding, const struct sb_binding_params 
     *binding = (struct sb_binding){
         .upload = params->upload,
         .program = program,
+        .draw = params->draw,
+        .draw_count = params->draw_count,
+        .shares_program = params->shares_program,
         .model = glGetUniformLocation(program, "u_model"),
         .normal_matrix = glGetUniformLocation(program, "u_normal_matrix"),
         .ambient = glGetUniformLocation(program, "u_material.ambient"),
         .diffuse = glGetUniformLocation(program, "u_material.diffuse"),
         .specular = glGetUniformLocation(program, "u_material.specular"),
         .shininess = glGetUniformLocation(program, "u_material.shininess"),
-        .draw = glGetUniformLocation(program, "u_draw"),
+        .draw_number = glGetUniformLocation(program, "u_draw"),
         .lamp_colour = glGetUniformLocation(program, "u_lamp_colour"),
     };
     glUseProgram(program);
@@ -209,8 +258,10 @@ bool sb_binding_make(struct sb_binding *binding, const struct sb_binding_params 
         make_normal_matrices(binding);
     make_materials(binding);
 
-    sb_light_upload_make(&binding->lights, program, params->variant, &scene->lights);
-    make_phases(binding, params->variant);
+    find_draw_uniforms(binding, params);
+    choose_lights(binding, params);
+    sb_light_upload_make(&binding->lights, program, params->variant, &binding->phase[0]);
+    make_phases(binding, params);
     sb_binding_lights(binding, 0, 0);
     return true;
 }
@@ -221,6 +272,8 @@ void sb_binding_free(struct sb_binding *binding)
     sb_light_upload_free(&binding->lights);
     glDeleteBuffers(1, &binding->materials);
     free(binding->normal_matrices);
+    free(binding->number);
     free(binding->as_lit);
+    free(binding->now_light);
     *binding = (struct sb_binding){0};
 }

@@ -52,6 +52,8 @@ static void clear(const struct sb_target *target, const float *colour, int64_t *
 void sb_frame_bind(const struct sb_binding *binding, int64_t *calls)
 {
     GL(glUseProgram(binding->program));
+    if (binding->shares_program && binding->lights.sets_uniforms)
+        *calls += sb_light_upload_set(&binding->lights, &binding->now);
     if (binding->lights.buffer)
         GL(glBindBufferBase(GL_UNIFORM_BUFFER, 0, binding->lights.buffer));
     for (int i = 0; i < SB_MAP_COUNT; i++) {
@@ -101,8 +103,10 @@ void sb_frame_place(const struct sb_binding *binding, int number, int64_t *calls
         GL(glUniformMatrix3fv(binding->normal_matrix, 1, GL_FALSE, normal_matrix));
     set_material(binding, it->material, calls);
     set_lamp(binding, it->lamp, calls);
-    if (binding->draw >= 0)
-        GL(glUniform1ui(binding->draw, (GLuint)number + 1));
+    if (binding->draw_number >= 0)
+        GL(glUniform1ui(binding->draw_number, (GLuint)number + 1));
+    for (int i = 0; i < binding->draw_uniform_count; i++)
+        GL(glUniform1i(binding->draw_uniform[i], binding->draw_uniform_value[i][number]));
     GL(glBindVertexArray(binding->upload->mesh[it->mesh].vertex_array));
 }
 
@@ -116,16 +120,34 @@ static void draw(const struct sb_binding *binding, int number, int64_t *calls)
 
 enum draws { ALL_DRAWS, LIT_DRAWS, LAMP_DRAWS };
 
-static void draw_all(const struct sb_binding *binding, enum draws which, int layers,
-                     int64_t *calls)
+// Number `place` of those that the binding lights.
+static int draw_at(const struct sb_binding *binding, int place)
+{
+    return binding->draw ? binding->draw[place] : place;
+}
+
+static void draw_layer(const struct sb_binding *binding, enum draws which, int64_t *calls)
 {
     const struct sb_scene *scene = binding->upload->scene;
-    sb_frame_bind(binding, calls);
+    const int count = binding->draw ? binding->draw_count : scene->draw_count;
+    for (int i = 0; i < count; i++) {
+        const int number = draw_at(binding, i);
+        const enum draws kind = scene->draw[number].lamp >= 0 ? LAMP_DRAWS : LIT_DRAWS;
+        if (which == ALL_DRAWS || which == kind)
+            draw(binding, number, calls);
+    }
+}
+
+static void draw_all(const struct sb_binding *binding, int binding_count,
+                     enum draws which, int layers, int64_t *calls)
+{
+    if (binding_count <= 1)
+        sb_frame_bind(binding, calls);
     for (int layer = 0; layer < layers; layer++) {
-        for (int i = 0; i < scene->draw_count; i++) {
-            const enum draws kind = scene->draw[i].lamp >= 0 ? LAMP_DRAWS : LIT_DRAWS;
-            if (which == ALL_DRAWS || which == kind)
-                draw(binding, i, calls);
+        for (int i = 0; i < binding_count || i == 0; i++) {
+            if (binding_count > 1)
+                sb_frame_bind(&binding[i], calls);
+            draw_layer(&binding[i], which, calls);
         }
     }
 }
@@ -146,13 +168,13 @@ static void draw_lamps(const struct sb_frame_params *params, int64_t *calls)
 {
     const struct sb_target *target = params->target;
     if (target->more_count == 0) {
-        draw_all(params->lamp, LAMP_DRAWS, params->layers, calls);
+        draw_all(params->lamp, 1, LAMP_DRAWS, params->layers, calls);
         return;
     }
     choose_attachments(target, true, false, calls);
-    draw_all(params->lamp, LAMP_DRAWS, params->layers, calls);
+    draw_all(params->lamp, 1, LAMP_DRAWS, params->layers, calls);
     choose_attachments(target, false, true, calls);
-    draw_all(params->blank, LAMP_DRAWS, params->layers, calls);
+    draw_all(params->blank, 1, LAMP_DRAWS, params->layers, calls);
     choose_attachments(target, true, true, calls);
 }
 
@@ -170,7 +192,8 @@ static void draw_picture(const struct sb_frame_params *params, int64_t *calls)
     clear(target, binding->upload->scene->clear_colour, calls);
     if (params->shadow)
         *calls += sb_shadow_bind(params->shadow);
-    draw_all(binding, params->lamp ? LIT_DRAWS : ALL_DRAWS, params->layers, calls);
+    draw_all(binding, params->binding_count, params->lamp ? LIT_DRAWS : ALL_DRAWS,
+             params->layers, calls);
     if (params->lamp)
         draw_lamps(params, calls);
     *calls += sb_target_resolve(target);
@@ -178,10 +201,9 @@ static void draw_picture(const struct sb_frame_params *params, int64_t *calls)
 
 int64_t sb_frame_draw(const struct sb_frame_params *params)
 {
-    const struct sb_binding *binding = params->binding;
     int64_t calls = 0;
-    if (params->phase >= 0)
-        calls += sb_light_upload_set(&binding->lights, &binding->phase[params->phase]);
+    for (int i = 0; params->phase >= 0 && (i < params->binding_count || i == 0); i++)
+        calls += sb_binding_phase(&params->binding[i], params->phase);
     if (params->shadow && params->phase >= 0 && params->shadow->phase_count > 1)
         calls += sb_shadow_draw(params->shadow, &params->shadow->phase[params->phase]);
     if (!params->shadows_only)

@@ -101,24 +101,51 @@ struct sb_phase sb_phase_of(const struct sb_variant *variant, int number);
 
 // --- a program bound to a scene --------------------------------------------------------
 
+// A uniform that differs from draw to draw: what a program that decides at run time asks.
+struct sb_draw_uniform {
+    const char *name;
+    const int *value; // of each draw of the scene
+};
+enum { SB_DRAW_UNIFORMS_MAX = 8 };
+
+// A program, some lights of the scene, and the draws that they light.
 struct sb_binding {
     const struct sb_upload *upload;
     GLuint program; // the caller's; must outlive this
-    GLint model, normal_matrix, ambient, diffuse, specular, shininess, draw, lamp_colour;
+    const int *draw; // numbers of draws, in the order drawn; the caller's. NULL: all
+    int draw_count;
+    GLint model, normal_matrix, ambient, diffuse, specular, shininess, draw_number, lamp_colour;
     GLint map[SB_MAP_COUNT];
     float *normal_matrices; // 9 a draw, object to view; NULL: those of the draws
     GLuint materials;       // buffer of the block MaterialBlock; 0: the program has none
     GLsizeiptr material_size; // bytes of the block …
     GLintptr material_stride; // … and from one material's range to the next's
+    GLint draw_uniform[SB_DRAW_UNIFORMS_MAX];
+    const int *draw_uniform_value[SB_DRAW_UNIFORMS_MAX];
+    int draw_uniform_count;
     struct sb_light_upload lights;
+    int *number; // in the scene's whole list, of each of its lights
     struct sb_lights phase[SB_PHASES]; // as lit; the first one is the scene's own
     int phase_count;         // 1, or SB_PHASES where each frame uploads the next
     struct sb_light *as_lit; // owns the phases' lights
+    // Lights that are plain uniforms are the program's: where another binding has the same
+    // program, they are uploaded each time that this one is bound, from `now`.
+    bool shares_program;
+    struct sb_lights now;
+    struct sb_light *now_light; // owns those of `now`
 };
 struct sb_binding_params {
     GLuint program;
     const struct sb_upload *upload;
-    const struct sb_variant *variant; // resolved
+    const struct sb_variant *variant; // resolved; of the program's text
+    // Numbers of lights in the scene's whole list, types one after another, and how many of each;
+    // light_count NULL: all.
+    const int *light, *light_count;
+    const int *draw; // as in struct sb_binding
+    int draw_count;
+    const struct sb_draw_uniform *draw_uniform;
+    int draw_uniform_count;
+    bool shares_program;
 };
 // Looks every location up, once, and sets all that does not change from frame to frame,
 // and the lights. Fails where the program samples a map that the scene does not have.
@@ -127,16 +154,20 @@ bool sb_binding_make(struct sb_binding *binding, const struct sb_binding_params 
                      struct sb_error *err);
 void sb_binding_free(struct sb_binding *binding);
 
-// Uploads the scene's own lights; those at [off_first, off_first + off_count) of the whole
-// list with black ambient, diffuse and specular colours.
+// Uploads the binding's lights as the scene has them; those at [off_first, off_first + off_count)
+// of the scene's whole list with black ambient, diffuse and specular colours.
 void sb_binding_lights(const struct sb_binding *binding, int off_first, int off_count);
+
+// Where the lights go by the phase that a frame shows. Returns the number of GL calls.
+int64_t sb_binding_phase(const struct sb_binding *binding, int phase);
 
 // --- a frame ---------------------------------------------------------------------------
 
 struct sb_shadow; // shadow.h
 
 struct sb_frame_params {
-    const struct sb_binding *binding;
+    const struct sb_binding *binding; // one after another; at least one
+    int binding_count;                // 0 is 1
     const struct sb_binding
         *lamp; // for draws that show a lamp; NULL: `binding` does them too
     // With a target of several attachments, which lamps do not write: a program that writes 0
