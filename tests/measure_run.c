@@ -129,7 +129,8 @@ static void the_budget_ends_a_run(void **state)
     (void)state;
     struct fixture f;
     next_script.frame_ns = noisy_ns;
-    fixture_begin(&f, "10,11", SETTINGS("rounds", "1000000", "budget", "0.2"));
+    fixture_begin(&f, "10,11",
+                  SETTINGS("rounds", "1000000", "budget", "0.2", "half_width", "0.0001"));
     assert_true(fixture_run(&f, false));
     assert_string_equal(f.result.row[0].stop, "budget");
     fixture_end(&f);

@@ -33,8 +33,8 @@ struct sb_caps {
 enum { SB_JOB_LIGHT_TYPES = 4 }; // dir, point, spot, area, as scene/lights.h has them
 
 struct sb_program { // final GLSL, by role
-    const char
-        *role; // "shade": the lit draws, as many as there are entries of job.lit; "shadow": the shadow maps; "lamp": unlit draws;
+    const char *
+        role; // "shade": the lit draws, as many as there are entries of job.lit; "shadow": the shadow maps; "lamp": unlit draws;
     // "probe": as shade, and it tells what it computed on the way; "inputs": as
     // shade, and it tells what it was given. Both are compiled when a picture of
     // them is first asked for, and never timed; "rows": lights points of a table

@@ -80,7 +80,8 @@ static bool bind_entries(struct sb_local_job *job, const struct sb_job *request,
         };
         if (params.program == 0)
             return sb_fail(err, SB_BAD_INPUT,
-                           "job %" PRIu32 ": entry %d is lit by program %d, which is none "
+                           "job %" PRIu32
+                           ": entry %d is lit by program %d, which is none "
                            "of role \"shade\"",
                            job->id, i, entry->program);
         if (!sb_binding_make(&lit->binding[lit->binding_count++], &params, err))
@@ -95,12 +96,12 @@ bool sb_local_lit_bind(struct sb_local_job *job, const struct sb_job *request,
     struct sb_local_lit *lit = &job->lit;
     if (lit->program_count == 0 || (request->lit_count == 0 && lit->program_count > 1) ||
         request->uniform_count > SB_DRAW_UNIFORMS_MAX)
-        return sb_fail(err, SB_BAD_INPUT,
-                       "job %" PRIu32 ": %d programs for the role \"shade\" and %d "
-                       "uniforms of draws; valid: one, or those of the job's entries, and "
-                       "at most %d",
-                       job->id, lit->program_count, request->uniform_count,
-                       SB_DRAW_UNIFORMS_MAX);
+        return sb_fail(
+            err, SB_BAD_INPUT,
+            "job %" PRIu32 ": %d programs for the role \"shade\" and %d "
+            "uniforms of draws; valid: one, or those of the job's entries, and "
+            "at most %d",
+            job->id, lit->program_count, request->uniform_count, SB_DRAW_UNIFORMS_MAX);
     const int entries = request->lit_count ? request->lit_count : 1;
     lit->binding = sb_alloc((size_t)entries * sizeof *lit->binding);
     if (request->lit_count)

@@ -145,8 +145,8 @@ static void make_phases(struct sb_binding *binding,
     const bool moves = variant->value[SB_AXIS_UPDATE] != SB_UPDATE_STATIC;
     struct sb_light *moved = sb_alloc((all + 1) * sizeof *moved);
     binding->phase_count = moves ? SB_PHASES : 1;
-    binding->as_lit = sb_alloc(((size_t)binding->phase_count * total + 1) *
-                               sizeof *binding->as_lit);
+    binding->as_lit =
+        sb_alloc(((size_t)binding->phase_count * total + 1) * sizeof *binding->as_lit);
     binding->now_light = sb_alloc((total + 1) * sizeof *binding->now_light);
     binding->now = binding->phase[0];
     binding->now.light = binding->now_light;
@@ -172,8 +172,7 @@ void sb_binding_lights(const struct sb_binding *binding, int off_first, int off_
     for (int i = 0; i < sb_lights_total(lights); i++) {
         struct sb_light *now = &binding->now_light[i];
         *now = lights->light[i];
-        if (binding->number[i] < off_first ||
-            binding->number[i] - off_first >= off_count)
+        if (binding->number[i] < off_first || binding->number[i] - off_first >= off_count)
             continue;
         memset(now->ambient, 0, sizeof now->ambient);
         memset(now->diffuse, 0, sizeof now->diffuse);

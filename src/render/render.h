@@ -111,10 +111,11 @@ enum { SB_DRAW_UNIFORMS_MAX = 8 };
 // A program, some lights of the scene, and the draws that they light.
 struct sb_binding {
     const struct sb_upload *upload;
-    GLuint program; // the caller's; must outlive this
+    GLuint program;  // the caller's; must outlive this
     const int *draw; // numbers of draws, in the order drawn; the caller's. NULL: all
     int draw_count;
-    GLint model, normal_matrix, ambient, diffuse, specular, shininess, draw_number, lamp_colour;
+    GLint model, normal_matrix, ambient, diffuse, specular, shininess, draw_number,
+        lamp_colour;
     GLint map[SB_MAP_COUNT];
     float *normal_matrices; // 9 a draw, object to view; NULL: those of the draws
     GLuint materials;       // buffer of the block MaterialBlock; 0: the program has none
@@ -124,7 +125,7 @@ struct sb_binding {
     const int *draw_uniform_value[SB_DRAW_UNIFORMS_MAX];
     int draw_uniform_count;
     struct sb_light_upload lights;
-    int *number; // in the scene's whole list, of each of its lights
+    int *number;                       // in the scene's whole list, of each of its lights
     struct sb_lights phase[SB_PHASES]; // as lit; the first one is the scene's own
     int phase_count;         // 1, or SB_PHASES where each frame uploads the next
     struct sb_light *as_lit; // owns the phases' lights
