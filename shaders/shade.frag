@@ -2,6 +2,7 @@
 // the lights have not applied already (hoist).
 #include "version/$(GLSL_FAMILY).glsl"
 #include "given/$(GIVEN).glsl"
+#include "generated/switches.glsl"
 
 GIVEN_INPUT P_VARYING vec2 v_uv;
 DECLARE_O_COLOR

@@ -3,6 +3,7 @@
 // every variant covers the same pixels.
 #include "version/$(GLSL_FAMILY).glsl"
 #include "given/$(GIVEN).glsl"
+#include "generated/switches.glsl"
 
 ATTRIBUTE highp vec3 a_position;
 ATTRIBUTE highp vec3 a_normal;

@@ -174,8 +174,8 @@ static bool makes_a_difference(const struct sb_assembly *a, const struct sb_asse
 {
     for (int role = 0; role < SB_ROLE_COUNT; role++)
         for (int stage = 0; stage < STAGES; stage++) {
-            const struct sb_glsl_source *from = &a->source[role][stage];
-            const struct sb_glsl_source *to = &b->source[role][stage];
+            const struct sb_glsl_source *from = &sb_assembly_sources(a, (enum sb_role)role)[stage];
+            const struct sb_glsl_source *to = &sb_assembly_sources(b, (enum sb_role)role)[stage];
             if (strcmp(body(from), body(to)) != 0 ||
                 (to->text && reads_what_differs(from, to)))
                 return true;
@@ -418,8 +418,13 @@ static void the_macro_of_an_effect_vanishes_where_it_is_not_called_for(void **st
         for (int e = 0; e < SB_EFFECT_COUNT; e++) {
             const bool wanted = calls[i].effects >> e & 1;
             const char *value = wanted ? "(code) code" : "(code) ";
-            check_define(shade_of(&assembly, VERTEX), sb_effect_rows[e].macro, value);
-            check_define(shade_of(&assembly, FRAGMENT), sb_effect_rows[e].macro, value);
+            static const char *const kinds[] = {"IF_", "WITH_"};
+            for (int k = 0; k < 2; k++) {
+                char macro[64];
+                snprintf(macro, sizeof macro, "%s%s", kinds[k], sb_effect_rows[e].stem);
+                check_define(shade_of(&assembly, VERTEX), macro, value);
+                check_define(shade_of(&assembly, FRAGMENT), macro, value);
+            }
         }
         sb_assembly_free(&assembly);
     }

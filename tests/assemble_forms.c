@@ -99,8 +99,8 @@ static void a_form_changes_its_functions_and_nothing_else(void **state)
                                       shade_of(&naive, VERTEX)->text),
                         0, functions_of(form));
         for (int stage = 0; stage < STAGES; stage++) {
-            const char *a = robust.source[SB_ROLE_SHADOW][stage].text;
-            const char *b = naive.source[SB_ROLE_SHADOW][stage].text;
+            const char *a = sb_assembly_sources(&robust, SB_ROLE_SHADOW)[stage].text;
+            const char *b = sb_assembly_sources(&naive, SB_ROLE_SHADOW)[stage].text;
             if (a && form->axis != SB_AXIS_F_SHADOW)
                 count_choices(form, a, b);
             else if (a) // carries a number in the place of a vector

@@ -76,7 +76,7 @@ enum { VERTEX, GEOMETRY, FRAGMENT, STAGES };
 static inline const struct sb_glsl_source *shade_of(const struct sb_assembly *assembly,
                                                     int stage)
 {
-    return &assembly->source[SB_ROLE_SHADE][stage];
+    return &sb_assembly_sources(assembly, SB_ROLE_SHADE)[stage];
 }
 
 // For one of many programs. Under the sanitisers, which watch our code, it is only assembled: a

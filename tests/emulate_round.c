@@ -215,7 +215,7 @@ static const struct output {
 // What came back takes the place of the sources, so that they are validated together.
 static void put_back(struct sb_assembly *assembly, const struct sb_emulated *emulated)
 {
-    struct sb_glsl_source *source = assembly->source[SB_ROLE_SHADE];
+    struct sb_glsl_source *source = assembly->built[0].source;
     source[VERTEX].text = (char *)emulated->vertex;
     source[FRAGMENT].text = (char *)emulated->fragment;
 }
@@ -227,7 +227,7 @@ static void check_program(const char *words, bool fixed, const struct output *ou
     struct sb_error err = {0};
     struct sb_emulated emulated;
     assemble(words, &assembly);
-    struct sb_glsl_source *source = assembly.source[SB_ROLE_SHADE];
+    struct sb_glsl_source *source = assembly.built[0].source;
     char *const kept[] = {source[VERTEX].text, source[FRAGMENT].text};
     const struct sb_emulate_params params = {
         .vertex = kept[0],

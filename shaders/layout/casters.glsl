@@ -1,5 +1,6 @@
 // The first NR_SHADOWS point lights, which cast shadows.
 #include "shadows.glsl"
+#include "casters/$(CASTERS).glsl"
 
 #if NR_SHADOWS > 0
 Incident shaded(Incident light, P_ATTENUATION float shown)
@@ -15,7 +16,7 @@ Incident shaded(Incident light, P_ATTENUATION float shown)
 #ifndef CASTER_LOOKUPS // by a slip
 #define CASTER_LOOKUPS(i) CASTER_SHOWN(i)
 #endif
-#define ADD_CASTER(i) add_light(surface, shaded(point_incident(POINT_LIGHT(i), surface.position), CASTER_LOOKUPS(i)), lit);
+#define ADD_CASTER(i) WHERE_LIT(i, add_light(surface, shaded(point_incident(POINT_LIGHT(i), surface.position), WHERE_SHADED(i, CASTER_LOOKUPS(i))), lit);)
 void add_casters(Surface surface, inout Lit lit)
 {
     EACH_CASTER(ADD_CASTER)

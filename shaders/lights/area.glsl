@@ -12,7 +12,8 @@ Incident area_incident(AreaLight light, Surface surface)
     PROBE_TERM(TERM_DISTANCE, length(to_light))
     PROBE_DIRECTION(direction)
     P_VECTOR vec3 highlight = direction;
-    IF_SPECULAR(P_POSITION vec3 ray = reflect(-view_of(surface), surface.normal);)
+    WITH_SPECULAR(P_POSITION vec3 ray;)
+    IF_SPECULAR(ray = reflect(-view_of(surface), surface.normal);)
     IF_SPECULAR(highlight = unit_difference(area_nearest_ray(light, to_centre, ray));)
     P_ATTENUATION float factor = 1.0;
     IF_ATTENUATION(factor = attenuation(POINT_LIGHT_OF(light), length(to_light));)

@@ -2,7 +2,7 @@
 Incident spot_incident(SpotLight light, P_POSITION vec3 surface_position)
 {
     Incident incident = point_incident(POINT_LIGHT_OF(light), surface_position);
-    IF_CONE(P_ATTENUATION float share = cone(light, -incident.direction);)
+    WITH_CONE(P_ATTENUATION float share = cone(light, -incident.direction);)
     IF_CONE(PROBE_TERM(TERM_CONE, share))
     IF_CONE(incident.factor *= share;)
     return incident;

@@ -17,7 +17,7 @@ void add_specular(Surface surface, Incident light, inout Lit lit)
     PROBE_TERM(TERM_SPECULAR, factor)
     PROBE_TERM(TERM_SPECULAR_WEIGHT, weight)
     P_SUM vec3 added = light.specular * weight;
-    IF_FRESNEL(P_SPECULAR float c = FRESNEL_COSINE(surface, light.highlight);)
+    WITH_FRESNEL(P_SPECULAR float c = FRESNEL_COSINE(surface, light.highlight);)
     IF_FRESNEL(added *= reflectance(u_material.specular, c);)
     IF_SPECULAR_MAP_EACH(added *= specular_map(v_uv);)
     lit.specular += added;

@@ -1,8 +1,8 @@
 // stage=fragment: lit here.
 GIVEN_INPUT P_VARYING vec3 v_position;
 GIVEN_INPUT P_VARYING vec3 v_normal;
-IF_NORMAL_MAP(GIVEN_INPUT P_VARYING vec3 v_tangent;)
-IF_NORMAL_MAP(GIVEN_INPUT P_VARYING vec3 v_bitangent;)
+WITH_NORMAL_MAP(GIVEN_INPUT P_VARYING vec3 v_tangent;)
+WITH_NORMAL_MAP(GIVEN_INPUT P_VARYING vec3 v_bitangent;)
 
 #include "unit.glsl"
 #include "normalise/$(NORMALISE).glsl"
@@ -11,7 +11,8 @@ IF_NORMAL_MAP(GIVEN_INPUT P_VARYING vec3 v_bitangent;)
 
 P_VECTOR vec3 mapped(P_VECTOR vec3 normal)
 {
-    IF_NORMAL_MAP(P_VECTOR vec3 bump = normal_map(v_uv);)
+    WITH_NORMAL_MAP(P_VECTOR vec3 bump;)
+    IF_NORMAL_MAP(bump = normal_map(v_uv);)
     IF_NORMAL_MAP(normal = normal_in_frame(normal, v_tangent, v_bitangent, bump);)
     return normal;
 }

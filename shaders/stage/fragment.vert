@@ -1,8 +1,8 @@
 // stage=fragment: what the lighting needs is interpolated (Phong 1975).
 VARYING_OUT P_VARYING vec3 v_position;
 VARYING_OUT P_VARYING vec3 v_normal;
-IF_NORMAL_MAP(VARYING_OUT P_VARYING vec3 v_tangent;)
-IF_NORMAL_MAP(VARYING_OUT P_VARYING vec3 v_bitangent;)
+WITH_NORMAL_MAP(VARYING_OUT P_VARYING vec3 v_tangent;)
+WITH_NORMAL_MAP(VARYING_OUT P_VARYING vec3 v_bitangent;)
 
 void hand_over(highp vec3 position, highp vec3 normal)
 {

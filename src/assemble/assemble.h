@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "glsl/glsl.h"
 #include "job/job.h"
+#include "suite/suite.h"
 
 struct sb_assemble_params {
     const char *data_dir; // holds shaders/
@@ -13,7 +14,8 @@ struct sb_assemble_params {
     const char *scene;
     const struct sb_variant *variant; // resolved
     const struct sb_caps *caps;
-    uint32_t id; // of the job
+    const struct sb_suite *suite; // that specialise=uber is for all of; NULL: for the variant alone
+    uint32_t id;                  // of the job
     // The lights must be uniforms, whatever the variant says: so that a program that has them
     // as constants has a twin of the same class whose lights can be switched off.
     bool movable_lights;
@@ -34,15 +36,21 @@ enum sb_role {
     SB_ROLE_COUNT
 };
 
+struct sb_built { // a program's final texts: vertex, geometry, fragment
+    enum sb_role role;
+    struct sb_glsl_source source[3];
+};
+
 // Owns the job's texts; the job points into it: do not move it. A job whose programs "probe" and
 // "inputs" are to be drawn must be released first.
 struct sb_assembly {
     struct sb_job job; // job.variant: with every `auto` decided
-    struct sb_program program[SB_ROLE_COUNT];
-    struct sb_glsl_source source[SB_ROLE_COUNT][3]; // vertex, geometry, fragment
-    uint64_t source_hash;                           // of all texts that are timed
-    bool lit_per_vertex; // the lighting is evaluated in the vertex shader
-    bool lights_fixed;   // the lights are constants of the program
+    struct sb_built *built;
+    int built_count;
+    struct sb_program *program; // of the job, in the same order: that which lights comes first
+    uint64_t source_hash;       // of all texts that are timed
+    bool lit_per_vertex;        // the lighting is evaluated in the vertex shader
+    bool lights_fixed;          // the lights are constants of the program
     // The program reads what nothing has set, as a source text does: its picture may be
     // anything, and cannot be judged.
     bool undefined;
@@ -55,6 +63,11 @@ struct sb_assembly {
 bool sb_assemble(const struct sb_assemble_params *params, struct sb_assembly *assembly,
                  struct sb_error *err);
 void sb_assembly_free(struct sb_assembly *assembly);
+
+// Vertex, geometry and fragment text of the first program of a role; texts are NULL where there is
+// none.
+const struct sb_glsl_source *sb_assembly_sources(const struct sb_assembly *assembly,
+                                                 enum sb_role role);
 
 // A driver's compile log with the original files and lines.
 void sb_assembly_explain(const struct sb_assembly *assembly,

@@ -77,19 +77,31 @@ static bool add_axes(struct sb_defines *defines, const struct sb_axes *axes,
     return true;
 }
 
+static const char *effect_body(struct sb_arena *arena, int effect, bool switched)
+{
+    const struct sb_effect_row *row = &sb_effect_rows[effect];
+    return switched && row->switched
+               ? sb_arena_printf(arena, "if (u_if_%s) { code }", row->name)
+               : "code";
+}
+
 // A program whose arrays have room for a light that is off now must hold the code for it.
 static bool add_effects(struct sb_defines *defines, const struct sb_axes *axes,
                         const struct sb_variant *variant, struct sb_error *err)
 {
     const struct sb_variant slots = with_counts(variant, sb_lights_slots);
-    const uint32_t effects = sb_effects_of(axes, &slots);
+    const uint32_t effects = sb_effects_of(axes, &slots) & ~defines->left_out;
+    struct sb_arena *arena = defines->arena;
     for (int i = 0; i < SB_EFFECT_COUNT; i++) {
-        const char *name =
-            sb_arena_printf(defines->arena, "%s(code)", sb_effect_rows[i].macro);
-        if (!add(defines, name, effects >> i & 1 ? "code" : "", err))
+        const char *stem = sb_effect_rows[i].stem;
+        const bool in = effects >> i & 1;
+        if (!add(defines, sb_arena_printf(arena, "IF_%s(code)", stem),
+                 in ? effect_body(arena, i, defines->switched) : "", err) ||
+            !add(defines, sb_arena_printf(arena, "WITH_%s(code)", stem), in ? "code" : "",
+                 err))
             return false;
     }
-    return true;
+    return add(defines, "CASTERS", defines->switched ? "counted" : "fixed", err);
 }
 
 // --- lights ----------------------------------------------------------------------------

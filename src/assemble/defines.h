@@ -7,12 +7,17 @@
 #include "scene/lights.h"
 
 // Of the light structs two macros each, and some of which there is one.
-enum { SB_DEFINE_MAX = SB_AXIS_MAX + SB_EFFECT_COUNT + 2 * SB_LIGHT_STRUCT_COUNT + 10 };
+enum {
+    SB_DEFINE_MAX = SB_AXIS_MAX + 2 * SB_EFFECT_COUNT + 2 * SB_LIGHT_STRUCT_COUNT + 12
+};
 
 struct sb_defines {
     struct sb_glsl_define row[SB_DEFINE_MAX];
     int count;
     struct sb_arena *arena; // the caller's: holds the texts
+    // Set before sb_defines_make:
+    uint32_t left_out; // effects that the variant calls for and this program does without
+    bool switched;     // effects that can be are decided at run time
 };
 
 // Every axis that has a macro, and what follows from several axes together: the effects, the

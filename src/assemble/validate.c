@@ -163,9 +163,8 @@ bool sb_assembly_validate(const struct sb_assembly *assembly, struct sb_error *e
 {
     struct folder folder = {0};
     bool good = folder_make(&folder, err);
-    for (int role = 0; good && role < SB_ROLE_COUNT; role++)
-        if (assembly->source[role][0].text)
-            good = validate_program(assembly->source[role], &folder, err);
+    for (int i = 0; good && i < assembly->built_count; i++)
+        good = validate_program(assembly->built[i].source, &folder, err);
     folder_remove(&folder);
     return good;
 }

@@ -140,8 +140,8 @@ static bool run_rival(const struct sb_case_env *env,
     };
     const bool good = sb_assemble(&params, &assembly, err);
     if (good) {
-        put_rival(assembly.program[SB_ROLE_SHADE].vertex, &text);
-        assembly.program[SB_ROLE_SHADE].vertex = sb_text_get(&text);
+        put_rival(assembly.program[0].vertex, &text);
+        assembly.program[0].vertex = sb_text_get(&text);
         const bool links = driver->fns->prepare(driver->runner, &assembly.job, &prepared);
         sb_outcome_measured(outcome, SB_FIGURE_OWN, !links, 0);
         if (links)

@@ -1,7 +1,7 @@
 #include "effects/effects.h"
 
 const struct sb_effect_row sb_effect_rows[SB_EFFECT_COUNT] = {
-#define EFFECT(id, name, macro, when, help) {name, macro, when, help},
+#define EFFECT(id, name, stem, when, switched, help) {name, stem, when, help, switched},
 #include "effects/effects.def"
 #undef EFFECT
 };

@@ -4,14 +4,15 @@
 #include "axis/variant.h"
 
 enum sb_effect {
-#define EFFECT(id, name, macro, when, help) SB_EFFECT_##id,
+#define EFFECT(id, name, stem, when, switched, help) SB_EFFECT_##id,
 #include "effects/effects.def"
 #undef EFFECT
     SB_EFFECT_COUNT
 };
 
 struct sb_effect_row {
-    const char *name, *macro, *when, *help; // see effects.def
+    const char *name, *stem, *when, *help; // see effects.def
+    bool switched;
 };
 extern const struct sb_effect_row sb_effect_rows[SB_EFFECT_COUNT];
 

@@ -67,8 +67,6 @@ static bool make_shadows(const struct sb_local *local, struct sb_local_job *job,
     if (!sb_local_has_role(job, SB_LOCAL_SHADOW, err) ||
         !sb_shadow_make(&job->shadow, &params, err))
         return false;
-    for (int i = 0; i < job->lit.program_count; i++)
-        sb_shadow_set_units(&job->shadow, job->lit.program[i].name);
     sb_shadow_draw(&job->shadow, &job->shadow.phase[0]);
     return sb_local_gl_ok("drawing the shadow maps of", job->id, err);
 }
@@ -78,6 +76,8 @@ static bool bind_programs(struct sb_local_job *job, const struct sb_job *request
 {
     if (!sb_local_lit_bind(job, request, err))
         return false;
+    for (int i = 0; i < job->lit.program_count; i++)
+        sb_shadow_set_units(job->lit.program[i].name);
     if (!shows_lamps(&job->scene->scene))
         return true;
     const struct sb_binding_params params = {

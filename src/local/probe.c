@@ -51,8 +51,7 @@ static bool make(struct sb_local_job *job, const struct sb_image_request *reques
     if (!sb_local_compile_probe(job, role, err) ||
         !bind(job, job->program[role].name, &probe->binding, err))
         goto error;
-    if (job->shadow.casters > 0)
-        sb_shadow_set_units(&job->shadow, probe->binding.program);
+    sb_shadow_set_units(probe->binding.program);
     return true;
 
 error:

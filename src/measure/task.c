@@ -126,6 +126,7 @@ void sb_task_prepare(struct sb_task *task, const struct sb_prepare_params *param
         .data_dir = params->data_dir,
         .shaders = params->shaders,
         .axes = &params->suite->axes,
+        .suite = params->suite,
         .scene = task->entry->scene,
         .variant = &task->entry->variant,
         .caps = &driver->caps,

@@ -62,8 +62,9 @@ int64_t sb_shadow_draw(const struct sb_shadow *shadow, const struct sb_lights *l
 // Vertices of all its passes.
 int64_t sb_shadow_vertices(const struct sb_shadow *shadow);
 
-// Points the samplers u_shadow_map of a program at the units behind those of the maps; once.
-void sb_shadow_set_units(const struct sb_shadow *shadow, GLuint program);
+// Points the samplers u_shadow_map of a program at the units behind those of the maps; once. Those
+// of casters that the scene has not, too: two samplers of different types may not share a unit.
+void sb_shadow_set_units(GLuint program);
 // Binds the textures to these units; returns the number of GL calls.
 int64_t sb_shadow_bind(const struct sb_shadow *shadow);
 

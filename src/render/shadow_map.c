@@ -243,17 +243,16 @@ void sb_shadow_free(struct sb_shadow *shadow)
     *shadow = (struct sb_shadow){0};
 }
 
-void sb_shadow_set_units(const struct sb_shadow *shadow, GLuint program)
+void sb_shadow_set_units(GLuint program)
 {
     glUseProgram(program);
-    for (int i = 0; i < shadow->texture_count; i++) {
+    const GLint one = glGetUniformLocation(program, "u_shadow_map"); // or the first of several
+    GLint location = one;
+    for (int i = 0; location >= 0; i++) {
         char name[32];
-        snprintf(name, sizeof name, "u_shadow_map[%d]", i);
-        const GLint location = glGetUniformLocation(program, name);
-        if (location >= 0)
-            glUniform1i(location, SB_MAP_COUNT + i);
-        else if (i == 0) // not an array
-            glUniform1i(glGetUniformLocation(program, "u_shadow_map"), SB_MAP_COUNT);
+        glUniform1i(location, SB_MAP_COUNT + i);
+        snprintf(name, sizeof name, "u_shadow_map[%d]", i + 1);
+        location = glGetUniformLocation(program, name);
     }
 }
 

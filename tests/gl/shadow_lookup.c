@@ -68,7 +68,7 @@ static void set_uniforms(const struct probe *probe)
         glUniform1f(glGetUniformLocation(program, name),
                     probe->fixture.world.light[i].range);
     }
-    sb_shadow_set_units(&probe->fixture.shadow, program);
+    sb_shadow_set_units(program);
 }
 
 // Draws the answers, one channel a caster.

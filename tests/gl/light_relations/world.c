@@ -183,10 +183,13 @@ static struct drawing *drawing_make(const struct setting *setting, const char *w
     world_make(&drawing.world, setting);
     assemble_here(setting, words, &drawing.assembly);
     sb_upload_make(&drawing.upload, &drawing.world.scene);
-    if (!sb_gl_program_make(&drawing.assembly.program[SB_ROLE_SHADE], &drawing.program))
+    if (!sb_gl_program_make(&drawing.assembly.program[0], &drawing.program))
         fail_msg("%s", drawing.program.log);
-    const struct sb_binding_params params = {drawing.program.name, &drawing.upload,
-                                             &drawing.assembly.job.variant};
+    const struct sb_binding_params params = {
+        .program = drawing.program.name,
+        .upload = &drawing.upload,
+        .variant = &drawing.assembly.job.variant,
+    };
     if (!sb_binding_make(&drawing.binding, &params, &err) ||
         !sb_target_make(&drawing.target, &relations_caps, &size, &err))
         fail_msg("%s", err.text);
