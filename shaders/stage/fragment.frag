@@ -9,7 +9,7 @@ WITH_NORMAL_MAP(GIVEN_INPUT P_VARYING vec3 v_bitangent;)
 #include "lighting.glsl"
 #include "frame.glsl"
 
-P_VECTOR vec3 mapped(P_VECTOR vec3 normal)
+P_VECTOR vec3 shading_normal(P_VECTOR vec3 normal)
 {
     WITH_NORMAL_MAP(P_VECTOR vec3 bump;)
     IF_NORMAL_MAP(bump = normal_map(v_uv);)
@@ -21,5 +21,5 @@ Shade shade_here()
 {
     PROBE_INPUTS(v_position, v_normal, v_uv)
     IF_NORMAL_MAP(PROBE_FRAME(v_tangent, v_bitangent))
-    return shade_surface(v_position, mapped(surface_normal(v_normal)));
+    return shade_surface(v_position, shading_normal(surface_normal(v_normal)));
 }

@@ -10,6 +10,7 @@
 #include "assemble/fixed_lights.h"
 #include "assemble/light_structs.h"
 #include "assemble/platform.h"
+#include "assemble/reduced.h"
 #include "assemble/rows.h"
 #include "base/file.h"
 #include "base/hash.h"
@@ -73,6 +74,7 @@ struct building {
     const struct sb_variant *variant;
     const struct sb_glsl_version *version; // the context's
     struct sb_assembly *assembly;
+    bool reduced; // to what is used
 };
 
 // Only what lights has terms of reduced precision.
@@ -104,8 +106,11 @@ static bool build_program(struct building *building, enum sb_role role,
         if (!sb_glsl_build(&building->glsl, &source[stage], err))
             return false;
     }
-    return !emulated || sb_emulate_sources(variant, building->version, &source[VERTEX],
-                                           &source[FRAGMENT], err);
+    if (emulated)
+        return sb_emulate_sources(variant, building->version, &source[VERTEX],
+                                  &source[FRAGMENT], err);
+    return !building->reduced ||
+           sb_reduce_sources(&source[VERTEX], &source[FRAGMENT], err);
 }
 
 static bool same_text(const struct sb_glsl_source *a, const struct sb_glsl_source *b)
@@ -282,6 +287,8 @@ static bool build_lit(const struct sb_assemble_params *params,
     building.defines.left_out =
         sb_effects_of(params->axes, &calls->variant) & ~calls->effects;
     building.defines.switched = choice->switched;
+    building.reduced =
+        calls->variant.value[SB_AXIS_SPECIALISE] != SB_SPECIALISE_ASKED;
     const uint32_t role = params->rows ? SB_ROLE_ROWS : SB_ROLE_SHADE;
     return build(params, &building, UINT32_C(1) << role, place, err);
 }
@@ -352,14 +359,15 @@ static void list_lit(struct sb_assembly *assembly, const struct sb_choice *choic
     job->uniform_count = choice->uniform_count;
 }
 
-// What else is drawn, and the instrumented twins of a program that lights all.
+// What else is drawn, and instrumented twins: of a program that lights all both, else that which
+// tells what any of them is given.
 static bool build_others(const struct sb_assemble_params *params,
                          struct sb_assembly *assembly, bool whole, struct sb_error *err)
 {
     const struct sb_variant *variant = &assembly->job.variant;
     const bool es100 = variant->value[SB_AXIS_GLSL] == SB_GLSL_100;
-    const uint32_t probes =
-        UINT32_C(1) << SB_ROLE_PROBE | UINT32_C(1) << SB_ROLE_INPUTS;
+    const uint32_t inputs = UINT32_C(1) << SB_ROLE_INPUTS,
+                   probes = inputs | UINT32_C(1) << SB_ROLE_PROBE;
     struct building building = {
         .variant = variant,
         .version = sb_glsl_version_of((int)variant->value[SB_AXIS_GLSL]),
@@ -367,8 +375,8 @@ static bool build_others(const struct sb_assemble_params *params,
     };
     uint32_t wanted = UINT32_C(1) << SB_ROLE_SHADOW | UINT32_C(1) << SB_ROLE_LAMP;
     int place;
-    if (params->probe && !es100 && whole)
-        wanted |= probes;
+    if (params->probe && !es100)
+        wanted |= whole ? probes : inputs;
     return build(params, &building, wanted, &place, err);
 }
 

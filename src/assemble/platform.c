@@ -162,3 +162,36 @@ bool sb_platform_pair_exact(const struct sb_variant *a, const struct sb_variant 
     return sb_platform_class_exact(a) &&
            (one_origin || a->value[SB_AXIS_MAPS] == SB_MAPS_NONE);
 }
+
+double sb_platform_left_out(const struct sb_variant *variant)
+{
+    const int policy = (int)variant->value[SB_AXIS_SPECIALISE];
+    return policy == SB_SPECIALISE_SCENE || policy == SB_SPECIALISE_OBJECT
+               ? variant->value[SB_AXIS_THRESHOLD]
+               : 0;
+}
+
+bool sb_platform_pair_asked(const struct sb_variant *a, const struct sb_variant *b)
+{
+    return a->value[SB_AXIS_SPECIALISE] == SB_SPECIALISE_ASKED &&
+           b->value[SB_AXIS_SPECIALISE] == SB_SPECIALISE_ASKED;
+}
+
+bool sb_platform_held_against(const struct sb_axes *axes, const struct sb_variant *other,
+                              const struct sb_variant *variant)
+{
+    struct sb_variant twin = *variant;
+    if (variant->value[SB_AXIS_WITHOUT] != SB_WITHOUT_NOTHING) {
+        twin.value[SB_AXIS_WITHOUT] = SB_WITHOUT_NOTHING;
+        return sb_variant_equal(axes, other, &twin);
+    }
+    twin.value[SB_AXIS_THRESHOLD] = other->value[SB_AXIS_THRESHOLD];
+    return other->value[SB_AXIS_SPECIALISE] == SB_SPECIALISE_UBER &&
+           sb_platform_is_policy(variant) && sb_variant_same_class(axes, other, &twin);
+}
+
+bool sb_platform_is_policy(const struct sb_variant *variant)
+{
+    return variant->value[SB_AXIS_SPECIALISE] != SB_SPECIALISE_ASKED &&
+           variant->value[SB_AXIS_WITHOUT] == SB_WITHOUT_NOTHING;
+}

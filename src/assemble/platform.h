@@ -46,3 +46,19 @@ bool sb_platform_class_exact(const struct sb_variant *variant);
 // them has its origin at the eye: what is interpolated then differs in its last bits, and a
 // driver's filter takes steps (8 bits of weight on llvmpipe).
 bool sb_platform_pair_exact(const struct sb_variant *a, const struct sb_variant *b);
+
+// The most that lights which a policy leaves out of its programs change in a channel of a pixel, full
+// scale 1: the axis `threshold` with specialise=scene and object, else 0.
+double sb_platform_left_out(const struct sb_variant *variant);
+
+// Are the programs of both chosen without looking at the scene (specialise=asked)?
+bool sb_platform_pair_asked(const struct sb_variant *a, const struct sb_variant *b);
+
+// Is the time of `variant` held against that of `other`, of the same scene? Of a policy against a
+// program for all scenes that draws the same; of a variant that leaves an effect out on purpose
+// against itself with nothing left out.
+bool sb_platform_held_against(const struct sb_axes *axes, const struct sb_variant *other,
+                              const struct sb_variant *variant);
+
+// Are its programs chosen by a policy, and nothing left out on purpose?
+bool sb_platform_is_policy(const struct sb_variant *variant);

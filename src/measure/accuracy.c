@@ -153,11 +153,19 @@ static bool draws_same(const struct drawing *drawing, struct pictures *pictures,
 enum told { NOTHING, INPUTS, ALL };
 
 // What an instrumented program tells. Where it is less than ALL, *err says why and what is missing;
-// with SB_INSTRUMENTATION where the one that tells all draws another picture.
+// with SB_INSTRUMENTATION where the one that tells all draws another picture. A job of several
+// programs, or of one that leaves something out, has a twin that lights everything: what its
+// lighting is given is what theirs is, and no more is asked.
 static enum told draw_probe(struct drawing *drawing, struct pictures *pictures,
                             struct sb_error *err)
 {
     struct sb_error other = {0};
+    if (drawing->task->assembly.job.lit_count > 0) {
+        drawing->inputs_only = true;
+        const bool good = draw_pages(drawing, pictures, err);
+        drawing->inputs_only = false;
+        return good ? INPUTS : NOTHING;
+    }
     if (draws_same(drawing, pictures, err))
         return draw_pages(drawing, pictures, err) ? ALL : NOTHING;
     if (err->status != SB_INSTRUMENTATION)
@@ -311,7 +319,7 @@ void sb_accuracy_measure(struct sb_task *task, const struct sb_driver *driver,
     note_left_out(task);
     if (no_probe.status != SB_OK)
         sb_task_note(task, "%s", no_probe.text);
-    else
+    else if (task->assembly.job.lit_count == 0)
         find_term(task, &drawing, truths);
     if (no_probe.status == SB_INSTRUMENTATION && task->status == SB_OK)
         task->status = SB_INSTRUMENTATION;
@@ -348,10 +356,14 @@ bool sb_accuracy_heat(const struct sb_task *task, const struct sb_driver *driver
 
 // --- the row -----------------------------------------------------------------------------
 
-static void fill_split(const struct sb_split *split, struct sb_row *row)
+// The model of the parts is the whole variant's: of a job that leaves something out, or lights each
+// draw by a program of its own, only the sum is known.
+static void fill_split(const struct sb_split *split, bool whole, struct sb_row *row)
 {
     row->pixels_compared = split->compared;
     row->pixels_mismatched = split->mismatched;
+    if (!whole)
+        return;
     if (split->flips >= 0)
         row->decision_flips = split->flips;
     if (split->raw_nonfinite >= 0) {
@@ -374,7 +386,7 @@ void sb_accuracy_fill(const struct sb_task *task, struct sb_row *row)
     const struct sb_metrics *total = &task->accuracy.total;
     if (!task->accuracy.known)
         return;
-    fill_split(&task->accuracy.split, row);
+    fill_split(&task->accuracy.split, task->assembly.job.lit_count == 0, row);
     row->err_term = task->accuracy.term;
     row->flip_mean = task->accuracy.flip.mean;
     row->flip_max = task->accuracy.flip.max;

@@ -63,21 +63,28 @@ done:
     sb_image_free(&id);
 }
 
-// The picture with some lights off.
-static bool small_picture(const struct sb_task *task, const struct sb_driver *driver,
-                          int first, int count, struct sb_image *image,
-                          struct sb_error *err)
+// The picture with some lights off; side 0: of its own size.
+static bool picture_of(const struct sb_task *task, const struct sb_driver *driver,
+                       int side, int first, int count, struct sb_image *image,
+                       struct sb_error *err)
 {
     const struct sb_image_request request = {
         .job = task->assembly.job.id,
         .kind = SB_IMAGE_COLOUR,
-        .width = LIGHT_CHECK_SIDE,
-        .height = LIGHT_CHECK_SIDE,
+        .width = side,
+        .height = side,
         .wide = true,
         .off_first = first,
         .off_count = count,
     };
     return driver->fns->image(driver->runner, &request, image, err);
+}
+
+static bool small_picture(const struct sb_task *task, const struct sb_driver *driver,
+                          int first, int count, struct sb_image *image,
+                          struct sb_error *err)
+{
+    return picture_of(task, driver, LIGHT_CHECK_SIDE, first, count, image, err);
 }
 
 // Lights [first, end) are switched on one after another, those behind them being off: each
@@ -208,7 +215,7 @@ bool sb_check_pair(const struct sb_class_pair *pair, double *spread, struct sb_e
     struct sb_image_difference difference;
     sb_image_compare(pair->picture, pair->other, &difference);
     *spread = fmax(*spread, difference.max); // fmax passes over NAN
-    if (!pair->exact || difference.max <= SB_CLASS_BOUND)
+    if (!pair->exact || difference.max <= SB_CLASS_BOUND + pair->left_out)
         return true;
     return sb_fail(
         err, SB_CLASS_BROKEN,
@@ -224,15 +231,18 @@ void sb_check_class(struct sb_task *task, struct sb_task *other,
 {
     struct sb_error err = {0};
     struct sb_image mine = {0}, theirs = {0};
+    const struct sb_variant *a = &task->entry->variant, *b = &other->entry->variant;
+    const int side = sb_platform_pair_asked(a, b) ? LIGHT_CHECK_SIDE : 0;
     const struct sb_class_pair pair = {
         .id = task->entry->id,
         .other_id = other->entry->id,
         .picture = &mine,
         .other = &theirs,
-        .exact = sb_platform_pair_exact(&task->entry->variant, &other->entry->variant),
+        .exact = sb_platform_pair_exact(a, b),
+        .left_out = sb_platform_left_out(a) + sb_platform_left_out(b),
     };
-    if (!small_picture(task, driver, 0, 0, &mine, &err) ||
-        !small_picture(other, driver, 0, 0, &theirs, &err) ||
+    if (!picture_of(task, driver, side, 0, 0, &mine, &err) ||
+        !picture_of(other, driver, side, 0, 0, &theirs, &err) ||
         !sb_check_pair(&pair, &task->class_spread, &err))
         sb_task_fail(task, &err);
     sb_image_free(&mine);

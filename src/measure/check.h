@@ -24,14 +24,17 @@ void sb_check_lights(struct sb_task *task, const struct sb_prepare_params *param
 struct sb_class_pair { // pictures, of one shape, of two variants of a class
     const char *id, *other_id;
     const struct sb_image *picture, *other;
-    bool exact; // sb_platform_pair_exact: they must agree
+    bool exact;      // sb_platform_pair_exact: they must agree
+    double left_out; // what lights that a policy leaves out of either may change
 };
 // *spread is raised to the largest difference (NAN: there was none yet). SB_CLASS_BROKEN, with
-// both variants, the pixel and both values, where an exact pair differs by more than the bound.
+// both variants, the pixel and both values, where an exact pair differs by more than the bound and
+// what is left out.
 bool sb_check_pair(const struct sb_class_pair *pair, double *spread,
                    struct sb_error *err);
 
-// The small picture against that of a task of the same equivalence class: within the bound at
+// The small picture, or where a policy has chosen the programs of either the whole one, against that
+// of a task of the same equivalence class: within the bound at
 // highp, with every f_… robust and offset=0; elsewhere the difference is only kept, in class_spread.
 void sb_check_class(struct sb_task *task, struct sb_task *other,
                     const struct sb_driver *driver);

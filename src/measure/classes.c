@@ -54,6 +54,8 @@ static void compare(struct verify *verify, struct sb_task *task, struct sb_class
         .picture = &picture,
         .other = &verify->picture,
         .exact = sb_platform_pair_exact(&first->variant, &task->entry->variant),
+        .left_out = sb_platform_left_out(&first->variant) +
+                    sb_platform_left_out(&task->entry->variant),
     };
     if (!draw(verify, task, &picture, &err) ||
         !sb_check_pair(&pair, &class->spread, &err))

@@ -10,6 +10,7 @@
 #include "measure/check.h"
 #include "measure/dump.h"
 #include "measure/interrupt.h"
+#include "measure/payback.h"
 #include "measure/pictures.h"
 #include "measure/record.h"
 #include "measure/resume.h"
@@ -286,6 +287,18 @@ static void after_round(void *user, int rounds, int active, double seconds_left)
     run->summary_cost_ns = run->summary_ns - now;
 }
 
+static void check_payback(struct sb_run_state *run)
+{
+    sb_progress("drawing the frames that pay back");
+    summarise(run);
+    sb_payback_check(&(struct sb_payback_params){
+        .task = run->task,
+        .task_count = run->task_count,
+        .row = run->row,
+        .driver = &run->driver,
+    });
+}
+
 static bool measure(struct sb_run_state *run, struct sb_error *err)
 {
     struct sb_rounds rounds = {
@@ -314,6 +327,8 @@ static bool measure(struct sb_run_state *run, struct sb_error *err)
     if (!write_files(run, false, err))
         return false;
     const bool good = sb_rounds_run(&rounds, err);
+    if (good && run->params->payback && !sb_interrupted())
+        check_payback(run);
     sb_progress("");
     return good;
 }

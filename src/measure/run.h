@@ -19,6 +19,7 @@ struct sb_run_params {
     const char *dir;         // results folder
     bool append;             // go on with what the folder holds
     bool images;             // write a PNG of each variant
+    bool payback;            // fill payback_check
     const char *dump;        // folder for sb_dump of each variant; NULL: none
     const char *suite_file;  // copied beside the results, for --resume; NULL: none
     const json_t *arguments; // of the command line, for run.json; borrowed

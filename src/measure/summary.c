@@ -178,8 +178,8 @@ static int pairs_of(const struct sb_task *first, const struct sb_task *task,
     return n;
 }
 
-static void fill_ratio(const struct basis *basis, const struct sb_task *first,
-                       struct sb_row *row)
+// Of the task's frame time to that of another one.
+static struct sb_interval ratio_to(const struct basis *basis, const struct sb_task *first)
 {
     struct sb_interval ratio = {NAN, NAN, NAN, 0};
     double *point = sb_alloc(((size_t)basis->process_count + 1) * sizeof *point);
@@ -194,6 +194,13 @@ static void fill_ratio(const struct basis *basis, const struct sb_task *first,
     if (count > 1)
         ratio = sb_between_processes(point, count, 0.95);
     free(point);
+    return ratio;
+}
+
+static void fill_ratio(const struct basis *basis, const struct sb_task *first,
+                       struct sb_row *row)
+{
+    const struct sb_interval ratio = ratio_to(basis, first);
     row->ratio = ratio.point;
     row->ratio_lo = ratio.lo;
     row->ratio_hi = ratio.hi;
@@ -214,6 +221,8 @@ static void fill_work(const struct sb_task *task, struct sb_row *row,
     row->gl_calls = prepared->gl_calls;
     row->vertices = prepared->vertices;
     row->fragments = prepared->fragments;
+    row->programs = prepared->programs;
+    row->switches = prepared->switches;
     row->compile_ms = prepared->compile_ms;
     row->link_ms = prepared->link_ms;
     row->first_draw_ms = prepared->first_draw_ms;
@@ -313,6 +322,63 @@ static void fill_times(const struct sb_summary_params *params, const struct sb_t
     basis_free(&basis);
 }
 
+// The place of the row that a task's is held against, the fastest where there are several; or -1.
+static int find_other(const struct sb_summary_params *params, const struct sb_row *row,
+                      int place)
+{
+    const struct sb_plan_entry *entry = params->task[place].entry;
+    int best = -1;
+    for (int i = 0; i < params->task_count; i++) {
+        const struct sb_plan_entry *other = params->task[i].entry;
+        if (strcmp(other->scene, entry->scene) == 0 && sb_task_timed(&params->task[i]) &&
+            sb_platform_held_against(&params->suite->axes, &other->variant,
+                                     &entry->variant) &&
+            (best < 0 || row[i].median_ms < row[best].median_ms))
+            best = i;
+    }
+    return best;
+}
+
+// Compiling, linking, and what the first draw takes longer than any other.
+static double setup_ms(const struct sb_row *row)
+{
+    return row->compile_ms + row->link_ms + fmax(row->first_draw_ms - row->median_ms, 0);
+}
+
+static void fill_payback(const struct sb_row *uber, struct sb_row *row)
+{
+    const double longer = setup_ms(row) - setup_ms(uber);
+    const double saved = uber->median_ms * (1 - row->against_ratio);
+    if (row == uber || isnan(longer) || isnan(saved))
+        return;
+    if (longer <= 0)
+        row->payback_frames = saved >= 0 ? 0 : (double)NAN; // cheaper first, dearer later
+    else
+        row->payback_frames = saved > 0 ? longer / saved : INFINITY;
+}
+
+// With the rows of all tasks, which stand ready.
+static void fill_against(const struct sb_summary_params *params, struct sb_row *row)
+{
+    for (int i = 0; i < params->task_count; i++) {
+        const struct sb_task *task = &params->task[i];
+        const int other = find_other(params, row, i);
+        struct basis basis;
+        if (other < 0 || task->sample_count == 0)
+            continue;
+        basis_make(&basis, task, &params->suite->measure);
+        const struct sb_interval ratio = ratio_to(&basis, &params->task[other]);
+        basis_free(&basis);
+        row[i].against = row[other].variant;
+        row[i].against_ratio = ratio.point;
+        row[i].against_lo = ratio.lo;
+        row[i].against_hi = ratio.hi;
+        if (sb_platform_is_policy(&task->entry->variant))
+            fill_payback(&row[other], &row[i]);
+        row[i].payback_check = task->payback_check;
+    }
+}
+
 void sb_summarise(const struct sb_summary_params *params, struct sb_row *row,
                   struct sb_arena *arena)
 {
@@ -336,6 +402,7 @@ void sb_summarise(const struct sb_summary_params *params, struct sb_row *row,
         fill_status(task, &row[i]);
         note_resumed(params->task, task, &row[i], arena);
     }
+    fill_against(params, row);
     sb_pareto_mark(&(struct sb_pareto_params){
         .row = row,
         .count = params->task_count,

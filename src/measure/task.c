@@ -137,7 +137,7 @@ void sb_task_prepare(struct sb_task *task, const struct sb_prepare_params *param
     struct sb_error err = {0};
     task->untimed = sb_variant_untimed(&params->suite->axes, &task->entry->variant);
     task->nonfinite = task->negative = SB_NO_COUNT;
-    task->class_spread = task->shadow_share = NAN;
+    task->class_spread = task->shadow_share = task->payback_check = NAN;
     if (!sb_assemble(&assemble, &task->assembly, &err)) {
         sb_task_fail(task, &err);
         return;

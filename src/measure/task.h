@@ -37,6 +37,7 @@ struct sb_task {
     int batch;           // frames a batch
     double growth;       // time over that of a quarter of the pixels; 0: not known
     double shadow_share; // of a frame, that its shadow maps take; NAN: it draws none
+    double payback_check; // of a policy against the uber program; NAN: not asked
     // rounds
     bool active;                  // still measured in this process
     const char *stop;             // half_width, budget, rounds, interrupted
