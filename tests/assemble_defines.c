@@ -174,8 +174,10 @@ static bool makes_a_difference(const struct sb_assembly *a, const struct sb_asse
 {
     for (int role = 0; role < SB_ROLE_COUNT; role++)
         for (int stage = 0; stage < STAGES; stage++) {
-            const struct sb_glsl_source *from = &sb_assembly_sources(a, (enum sb_role)role)[stage];
-            const struct sb_glsl_source *to = &sb_assembly_sources(b, (enum sb_role)role)[stage];
+            const struct sb_glsl_source *from =
+                &sb_assembly_sources(a, (enum sb_role)role)[stage];
+            const struct sb_glsl_source *to =
+                &sb_assembly_sources(b, (enum sb_role)role)[stage];
             if (strcmp(body(from), body(to)) != 0 ||
                 (to->text && reads_what_differs(from, to)))
                 return true;

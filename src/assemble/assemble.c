@@ -41,11 +41,6 @@ static const struct {
     [SB_ROLE_ROWS] = {"rows", {"rows", "rows", "shade"}, "on"},
 };
 
-static bool is_timed(int role)
-{
-    return role < SB_ROLE_PROBE;
-}
-
 // Also the suffixes of the files that begin them. SB_STAGE_VERT is stage 0.
 static const char *const stage_names[] = {"vert", "geom", "frag"};
 enum { VERTEX, GEOMETRY, FRAGMENT, STAGES };
@@ -152,12 +147,13 @@ static bool add_program(struct building *building, enum sb_role role, int *place
     return good;
 }
 
-static uint64_t hash_sources(const struct sb_assembly *assembly)
+// Of the texts of roles up to `last`.
+static uint64_t hash_sources(const struct sb_assembly *assembly, enum sb_role last)
 {
     uint64_t hash = SB_HASH_START;
     for (int i = 0; i < assembly->built_count; i++) {
         const struct sb_built *built = &assembly->built[i];
-        for (int stage = 0; is_timed(built->role) && stage < STAGES; stage++) {
+        for (int stage = 0; built->role <= last && stage < STAGES; stage++) {
             const struct sb_glsl_source *source = &built->source[stage];
             if (source->text)
                 hash = sb_hash(hash, &source->hash, sizeof source->hash);
@@ -287,8 +283,7 @@ static bool build_lit(const struct sb_assemble_params *params,
     building.defines.left_out =
         sb_effects_of(params->axes, &calls->variant) & ~calls->effects;
     building.defines.switched = choice->switched;
-    building.reduced =
-        calls->variant.value[SB_AXIS_SPECIALISE] != SB_SPECIALISE_ASKED;
+    building.reduced = calls->variant.value[SB_AXIS_SPECIALISE] != SB_SPECIALISE_ASKED;
     const uint32_t role = params->rows ? SB_ROLE_ROWS : SB_ROLE_SHADE;
     return build(params, &building, UINT32_C(1) << role, place, err);
 }
@@ -326,8 +321,8 @@ static void add_lit(struct sb_assembly *assembly, const struct sb_choice *choice
         lit->draw = copy(arena, program->draw, program->draw_count);
         lit->draw_count = program->draw_count;
     } else {
-        int *draw = sb_arena_alloc(arena, ((size_t)choice->scene.draw_count + 1) *
-                                              sizeof *draw);
+        int *draw =
+            sb_arena_alloc(arena, ((size_t)choice->scene.draw_count + 1) * sizeof *draw);
         lit->draw_count = lit_draws(&choice->scene, draw);
         lit->draw = draw;
     }
@@ -338,8 +333,8 @@ static void list_lit(struct sb_assembly *assembly, const struct sb_choice *choic
                      const int *place)
 {
     struct sb_job *job = &assembly->job;
-    struct sb_lit *lit = sb_arena_alloc(
-        &assembly->arena, (size_t)choice->program_count * sizeof *lit);
+    struct sb_lit *lit =
+        sb_arena_alloc(&assembly->arena, (size_t)choice->program_count * sizeof *lit);
     for (int built = 0; built < assembly->built_count; built++) {
         for (int i = 0; i < choice->program_count; i++) {
             if (place[i] != built)
@@ -404,12 +399,13 @@ bool sb_assemble(const struct sb_assemble_params *params, struct sb_assembly *as
 {
     struct sb_choice choice = {0};
     assembly->job.variant = *params->variant;
-    const bool good = sb_choose(params, &choice, err) &&
-                      build_all(params, assembly, &choice, err);
+    const bool good =
+        sb_choose(params, &choice, err) && build_all(params, assembly, &choice, err);
     sb_choice_free(&choice);
     if (!good)
         return false;
-    assembly->source_hash = hash_sources(assembly);
+    assembly->source_hash = hash_sources(assembly, SB_ROLE_PROBE - 1);
+    assembly->lit_hash = hash_sources(assembly, SB_ROLE_SHADE);
     list_programs(assembly);
     assembly->job.id = params->id;
     if (!params->rows)

@@ -14,8 +14,9 @@ struct sb_assemble_params {
     const char *scene;
     const struct sb_variant *variant; // resolved
     const struct sb_caps *caps;
-    const struct sb_suite *suite; // that specialise=uber is for all of; NULL: for the variant alone
-    uint32_t id;                  // of the job
+    const struct sb_suite
+        *suite;  // that specialise=uber is for all of; NULL: for the variant alone
+    uint32_t id; // of the job
     // The lights must be uniforms, whatever the variant says: so that a program that has them
     // as constants has a twin of the same class whose lights can be switched off.
     bool movable_lights;
@@ -47,10 +48,12 @@ struct sb_assembly {
     struct sb_job job; // job.variant: with every `auto` decided
     struct sb_built *built;
     int built_count;
-    struct sb_program *program; // of the job, in the same order: that which lights comes first
-    uint64_t source_hash;       // of all texts that are timed
-    bool lit_per_vertex;        // the lighting is evaluated in the vertex shader
-    bool lights_fixed;          // the lights are constants of the program
+    struct sb_program
+        *program;         // of the job, in the same order: that which lights comes first
+    uint64_t source_hash;       // of all texts that are timed,
+    uint64_t lit_hash;          // and of those of them that light
+    bool lit_per_vertex;  // the lighting is evaluated in the vertex shader
+    bool lights_fixed;    // the lights are constants of the program
     // The program reads what nothing has set, as a source text does: its picture may be
     // anything, and cannot be judged.
     bool undefined;

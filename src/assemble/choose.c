@@ -108,8 +108,8 @@ static int *add_uniform(struct sb_choice *choice, const char *name)
 static void make_switches(struct sb_choice *choice, uint32_t effects)
 {
     const struct sb_analysis *analysis = &choice->analysis;
-    choice->uniform = sb_arena_alloc(
-        &choice->arena, (SB_EFFECT_COUNT + 1) * sizeof *choice->uniform);
+    choice->uniform =
+        sb_arena_alloc(&choice->arena, (SB_EFFECT_COUNT + 1) * sizeof *choice->uniform);
     for (int e = 0; e < SB_EFFECT_COUNT; e++) {
         if (!sb_effect_rows[e].switched || !(effects >> e & 1))
             continue;

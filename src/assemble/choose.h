@@ -14,7 +14,7 @@ struct sb_choice_program {
 struct sb_choice {
     struct sb_choice_program *program; // at least one
     int program_count;
-    bool whole;    // one program, all draws, all lights: nothing was looked up or left out
+    bool whole; // one program, all draws, all lights: nothing was looked up or left out
     bool switched; // asks with each draw: effects.def, and shaders/casters/counted.glsl
     struct sb_job_uniform *uniform; // what it asks
     int uniform_count;

@@ -1,5 +1,6 @@
 // shadebench compare: judges what earlier runs have written. Nothing is measured.
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 #include "base/file.h"
@@ -107,28 +108,53 @@ static bool load(const struct sb_options *options, const char *word,
     return sb_rows_read(compared->path, compared->axes, &compared->rows, err);
 }
 
-// Two results folders side by side are to come: `compare A B`.
-static bool check_words(const struct sb_options *options, struct sb_error *err)
+// --- what to compare ---------------------------------------------------------------------
+
+static const struct way {
+    const char *option;
+    size_t flag; // in struct sb_options
+    int (*run)(const struct sb_options *options, struct sb_compared *compared);
+} ways[] = {
+    {"--pareto", offsetof(struct sb_options, pareto), sb_compare_pareto},
+    {"--terms", offsetof(struct sb_options, terms), sb_compare_terms},
+    {"--policies", offsetof(struct sb_options, policies), sb_compare_policies},
+    {"--ablation", offsetof(struct sb_options, ablation), sb_compare_ablation},
+};
+enum { WAYS = sizeof ways / sizeof *ways };
+
+static void list_ways(const char *before, const char *after, struct sb_text *text)
 {
-    static const char valid[] = "compare --pareto RESULTS, compare --terms RESULTS";
-    if (options->pareto && options->terms)
-        return sb_fail(err, SB_USAGE, "--pareto or --terms, not both");
-    const bool one = options->pareto || options->terms;
-    if (!one && options->word_count == 2)
-        return sb_fail(err, SB_NOT_IMPLEMENTED,
-                       "compare %s %s: comparing two runs is not implemented yet; valid: "
-                       "%s",
-                       options->word[0], options->word[1], valid);
-    if (!one)
-        return sb_fail(err, SB_USAGE, "compare what? valid: %s", valid);
-    if (options->word_count == 0)
-        return sb_fail(err, SB_USAGE,
-                       "compare %s wants a results folder or its summary.csv",
-                       options->pareto ? "--pareto" : "--terms");
-    if (options->word_count > 1)
-        return sb_fail(err, SB_USAGE, "compare %s takes one run; \"%s\" is one too many",
-                       options->pareto ? "--pareto" : "--terms", options->word[1]);
-    return true;
+    for (int i = 0; i < WAYS; i++)
+        sb_text_printf(text, "%s%s%s%s", i ? ", " : "", before, ways[i].option, after);
+}
+
+// Exactly one; NULL with SB_USAGE. Two results folders side by side are to come: `compare A B`.
+static const struct way *find_way(const struct sb_options *options, struct sb_error *err)
+{
+    struct sb_text valid = {0};
+    const struct way *way = NULL, *second = NULL;
+    for (int i = 0; i < WAYS; i++)
+        if (*(const bool *)((const char *)options + ways[i].flag)) {
+            second = way ? &ways[i] : second;
+            way = way ? way : &ways[i];
+        }
+    list_ways("compare ", " RESULTS", &valid);
+    if (second)
+        sb_fail(err, SB_USAGE, "%s or %s, not both", way->option, second->option);
+    else if (!way && options->word_count == 2)
+        sb_fail(err, SB_NOT_IMPLEMENTED,
+                "compare %s %s: comparing two runs is not implemented yet; valid: %s",
+                options->word[0], options->word[1], sb_text_get(&valid));
+    else if (!way)
+        sb_fail(err, SB_USAGE, "compare what? valid: %s", sb_text_get(&valid));
+    else if (options->word_count == 0)
+        sb_fail(err, SB_USAGE, "compare %s wants a results folder or its summary.csv",
+                way->option);
+    else if (options->word_count > 1)
+        sb_fail(err, SB_USAGE, "compare %s takes one run; \"%s\" is one too many",
+                way->option, options->word[1]);
+    sb_text_free(&valid);
+    return second || options->word_count != 1 ? NULL : way;
 }
 
 int sb_cmd_compare(const struct sb_options *options, int argc, char **argv)
@@ -138,13 +164,12 @@ int sb_cmd_compare(const struct sb_options *options, int argc, char **argv)
     struct sb_error err = {0};
     struct sb_arena arena = {0};
     struct sb_compared compared = {0};
+    const struct way *way = find_way(options, &err);
     int code;
-    if (!check_words(options, &err) ||
-        !load(options, options->word[0], &compared, &arena, &err))
+    if (!way || !load(options, options->word[0], &compared, &arena, &err))
         code = sb_cli_fail(&err);
     else
-        code = options->pareto ? sb_compare_pareto(options, &compared)
-                               : sb_compare_terms(options, &compared);
+        code = way->run(options, &compared);
     sb_rows_free(&compared.rows);
     sb_suite_free(&compared.suite);
     sb_arena_free(&arena);

@@ -13,8 +13,9 @@ struct sb_compared {
 
 // Each prints text or JSON and returns the exit code.
 int sb_compare_pareto(const struct sb_options *options, struct sb_compared *compared);
-int sb_compare_terms(const struct sb_options *options,
-                     const struct sb_compared *compared);
+int sb_compare_terms(const struct sb_options *options, struct sb_compared *compared);
+int sb_compare_policies(const struct sb_options *options, struct sb_compared *compared);
+int sb_compare_ablation(const struct sb_options *options, struct sb_compared *compared);
 
 // Does the axis print in other words in some of the rows? Moot counts as a word.
 bool sb_compare_varies(const struct sb_compared *compared, int axis);

@@ -162,7 +162,7 @@ static json_t *terms_json(const struct sb_compared *compared,
     return json_pack("{ssso}", "file", compared->path, "groups", groups);
 }
 
-int sb_compare_terms(const struct sb_options *options, const struct sb_compared *compared)
+int sb_compare_terms(const struct sb_options *options, struct sb_compared *compared)
 {
     struct sb_error err = {0};
     struct sb_terms terms = {0};

@@ -56,6 +56,7 @@ static const struct option options_table[] = {
     {"pareto",   0,   NULL,         COMPARE,          FLAG,       AT(pareto),   "rank the rows of a run over time and error: the front, and what is dominated"},
     {"terms",    0,   NULL,         COMPARE,          FLAG,       AT(terms),    "the price of each term's precision, from a run of the suite terms"},
     {"policies", 0,   NULL,         COMPARE,          FLAG,       AT(policies), "what each policy (axis specialise) saves against the program for all scenes"},
+    {"ablation", 0,   NULL,         COMPARE,          FLAG,       AT(ablation), "what each effect costs, and who would see it go, from a run --ablate"},
     {"validate", 0,   NULL,         SHOW,             FLAG,       AT(validate), "check the sources with glslangValidator"},
     {"timer",    0,   "NAME",       RUN|PROBE|VERIFY, TEXT,       AT(timer),    "timer source to use, if its audit allows; default: auto"},
     {"pixel",    0,   "X,Y",        EXPLAIN,          TEXT,       AT(pixel),    "the pixel to explain, counted from the lower left"},

@@ -18,3 +18,8 @@ void sb_report_mark(const struct sb_keys *keys, const struct sb_row *row,
 
 // A cell of a row of any results file; null where it is absent, or not finite.
 json_t *sb_report_cell_json(const void *row, const struct sb_column *column);
+
+// What each policy saves, and what each effect that is left out costs; nothing where there are no
+// such rows.
+void sb_report_policies(const struct sb_axes *axes, const struct sb_row *row, int count);
+void sb_report_ablation(const struct sb_axes *axes, const struct sb_row *row, int count);

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "base/clock.h"
+#include "assemble/ablate.h"
 #include "base/file.h"
 #include "base/log.h"
 #include "cli/common.h"
@@ -188,6 +189,8 @@ static void print_results(const struct sb_options *options, const struct sb_suit
     }
     print_head(suite, shown, same_kind, drift);
     sb_report_table(&suite->axes, result->row, result->row_count);
+    sb_report_policies(&suite->axes, result->row, result->row_count);
+    sb_report_ablation(&suite->axes, result->row, result->row_count);
     if (written)
         printf("\nresults: %s/summary.csv\n", dir);
     if (result->interrupted)
@@ -221,6 +224,8 @@ static int run_suite(const struct sb_options *options, json_t *arguments,
 
     bool good = sb_cli_load_suite(options, path, data, &suite, &err) &&
                 sb_cli_driver_params(options, &suite, &driver, &err);
+    if (good && options->ablate)
+        sb_ablate(&suite);
     if (good) {
         dir = results_dir(options, &suite, arena);
         const struct sb_run_params params = {

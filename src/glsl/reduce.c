@@ -356,8 +356,8 @@ void sb_glsl_reduce(struct sb_glsl_source *source, const char *plain_text)
     source->text = sb_arena_strdup(&source->arena, sb_text_get(&out.text));
     source->hash = sb_hash(SB_HASH_START, source->text, strlen(source->text));
     source->line_count = out.count;
-    source->line = sb_arena_alloc(&source->arena,
-                                  ((size_t)out.count + 1) * sizeof *source->line);
+    source->line =
+        sb_arena_alloc(&source->arena, ((size_t)out.count + 1) * sizeof *source->line);
     if (out.count > 0)
         memcpy(source->line, out.line, (size_t)out.count * sizeof *source->line);
     sb_text_free(&out.text);

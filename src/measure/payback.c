@@ -2,20 +2,11 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
+#include "analyse/policies.h"
 #include "measure/interrupt.h"
 
 static const double LONGEST_MS = 20000;
-
-static int find_row(const struct sb_payback_params *params, const struct sb_row *row)
-{
-    for (int i = 0; i < params->task_count; i++)
-        if (strcmp(params->row[i].scene, row->scene) == 0 &&
-            strcmp(params->row[i].variant, row->against) == 0)
-            return i;
-    return -1;
-}
 
 static bool draw_frames(const struct sb_task *task, const struct sb_driver *driver,
                         double frames, double *ms, struct sb_error *err)
@@ -53,16 +44,17 @@ static void check(const struct sb_payback_params *params, int place)
 {
     const struct sb_row *row = &params->row[place];
     struct sb_task *task = &params->task[place];
-    const int uber = row->against ? find_row(params, row) : -1;
+    const struct sb_row *other_row = sb_row_against(params->row, params->task_count, row);
     const double frames = fmax(ceil(row->payback_frames), 1);
     double own = 0, other = 0;
     struct sb_error err = {0};
-    if (uber < 0 || uber == place || !isfinite(row->payback_frames))
+    if (!other_row || other_row == row || !isfinite(row->payback_frames))
         return;
-    if (frames * params->row[uber].median_ms > LONGEST_MS)
+    struct sb_task *uber = &params->task[other_row - params->row];
+    if (frames * other_row->median_ms > LONGEST_MS)
         sb_task_note(task, "payback was not drawn: %.0f frames take too long", frames);
     else if (total_ms(task, params->driver, frames, &own, &err) &&
-             total_ms(&params->task[uber], params->driver, frames, &other, &err))
+             total_ms(uber, params->driver, frames, &other, &err))
         task->payback_check = own / other;
     else
         sb_task_note(task, "payback was not drawn: %s", err.text);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "analyse/pareto.h"
+#include "analyse/policies.h"
 #include "assemble/platform.h"
 #include "measure/accuracy.h"
 #include "measure/precision.h"
@@ -216,6 +217,7 @@ static void fill_work(const struct sb_task *task, struct sb_row *row,
 {
     const struct sb_prepared *prepared = &task->prepared;
     row->source_hash = hash_text(arena, task->assembly.source_hash);
+    row->lit_hash = hash_text(arena, task->assembly.lit_hash);
     if (!task->loaded)
         return;
     row->gl_calls = prepared->gl_calls;
@@ -339,24 +341,6 @@ static int find_other(const struct sb_summary_params *params, const struct sb_ro
     return best;
 }
 
-// Compiling, linking, and what the first draw takes longer than any other.
-static double setup_ms(const struct sb_row *row)
-{
-    return row->compile_ms + row->link_ms + fmax(row->first_draw_ms - row->median_ms, 0);
-}
-
-static void fill_payback(const struct sb_row *uber, struct sb_row *row)
-{
-    const double longer = setup_ms(row) - setup_ms(uber);
-    const double saved = uber->median_ms * (1 - row->against_ratio);
-    if (row == uber || isnan(longer) || isnan(saved))
-        return;
-    if (longer <= 0)
-        row->payback_frames = saved >= 0 ? 0 : (double)NAN; // cheaper first, dearer later
-    else
-        row->payback_frames = saved > 0 ? longer / saved : INFINITY;
-}
-
 // With the rows of all tasks, which stand ready.
 static void fill_against(const struct sb_summary_params *params, struct sb_row *row)
 {
@@ -373,8 +357,10 @@ static void fill_against(const struct sb_summary_params *params, struct sb_row *
         row[i].against_ratio = ratio.point;
         row[i].against_lo = ratio.lo;
         row[i].against_hi = ratio.hi;
-        if (sb_platform_is_policy(&task->entry->variant))
-            fill_payback(&row[other], &row[i]);
+        if (i != other && sb_platform_is_policy(&task->entry->variant))
+            row[i].payback_frames =
+                sb_payback_frames(sb_row_setup_ms(&row[i]) - sb_row_setup_ms(&row[other]),
+                                  row[other].median_ms * (1 - ratio.point));
         row[i].payback_check = task->payback_check;
     }
 }

@@ -34,9 +34,9 @@ struct sb_task {
         class_spread; // largest difference to the class; NAN: alone in it, or unchecked
     struct sb_accuracy accuracy;
     // calibrate
-    int batch;           // frames a batch
-    double growth;       // time over that of a quarter of the pixels; 0: not known
-    double shadow_share; // of a frame, that its shadow maps take; NAN: it draws none
+    int batch;            // frames a batch
+    double growth;        // time over that of a quarter of the pixels; 0: not known
+    double shadow_share;  // of a frame, that its shadow maps take; NAN: it draws none
     double payback_check; // of a policy against the uber program; NAN: not asked
     // rounds
     bool active;                  // still measured in this process

@@ -246,7 +246,8 @@ void sb_shadow_free(struct sb_shadow *shadow)
 void sb_shadow_set_units(GLuint program)
 {
     glUseProgram(program);
-    const GLint one = glGetUniformLocation(program, "u_shadow_map"); // or the first of several
+    const GLint one =
+        glGetUniformLocation(program, "u_shadow_map"); // or the first of several
     GLint location = one;
     for (int i = 0; location >= 0; i++) {
         char name[32];

@@ -52,3 +52,7 @@ bool sb_draft_expand(const struct sb_draft *draft, struct sb_suite *suite,
 
 // A name that can stand in a path or a column: letters, digits, - and _.
 bool sb_suite_name_valid(const char *name);
+
+// The id of an entry: a preset is told by its name, not by all that it sets.
+void sb_entry_id(const struct sb_axes *axes, const char *preset,
+                 const struct sb_variant *v, struct sb_text *id);

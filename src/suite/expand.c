@@ -44,17 +44,16 @@ static bool is_duplicate(const struct expansion *ex, const char *scene,
     return false;
 }
 
-// A preset is told by its name, not by all that it sets.
-static void write_id(const struct expansion *ex, const struct sb_variant *v,
-                     struct sb_text *id)
+void sb_entry_id(const struct sb_axes *axes, const char *preset,
+                 const struct sb_variant *v, struct sb_text *id)
 {
-    if (!ex->draft->preset) {
-        sb_variant_id(&ex->suite->axes, v, id);
+    if (!preset) {
+        sb_variant_id(axes, v, id);
         return;
     }
     struct sb_text more = {0};
-    sb_variant_id(&ex->suite->axes, v, &more);
-    sb_text_add(id, ex->draft->preset);
+    sb_variant_id(axes, v, &more);
+    sb_text_add(id, preset);
     if (strchr(more.data, '=')) // not "default"
         sb_text_printf(id, ",%s", more.data);
     sb_text_free(&more);
@@ -83,7 +82,7 @@ static bool add_entry(struct expansion *ex, const char *scene, struct sb_variant
         suite->excluded++;
         return true;
     }
-    write_id(ex, &v, &id);
+    sb_entry_id(&suite->axes, ex->draft->preset, &v, &id);
     if (!good) {
         sb_fail(err, err->status, "%s: variant %s: %s", ex->draft->origin,
                 sb_text_get(&id), err->text);

@@ -94,3 +94,12 @@ struct sb_suite_params {
 bool sb_suite_load(const struct sb_suite_params *params, struct sb_suite *suite,
                    struct sb_error *err);
 void sb_suite_free(struct sb_suite *suite);
+
+// Behind each entry puts the same with each other value of a choice axis for which `wanted` says so;
+// those that are there already are left out. An axis that is never moot, and that no rule names.
+struct sb_vary_params {
+    int axis;
+    bool (*wanted)(const struct sb_axes *axes, const struct sb_variant *entry,
+                   const struct sb_variant *varied);
+};
+void sb_suite_vary(struct sb_suite *suite, const struct sb_vary_params *params);

@@ -1,0 +1,112 @@
+#include "analyse/policies.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/mem.h"
+
+double sb_row_setup_ms(const struct sb_row *row)
+{
+    return row->compile_ms + row->link_ms + fmax(row->first_draw_ms - row->median_ms, 0);
+}
+
+double sb_payback_frames(double longer_ms, double saved_ms)
+{
+    if (isnan(longer_ms) || isnan(saved_ms) || (longer_ms <= 0 && saved_ms < 0))
+        return NAN;
+    if (longer_ms <= 0)
+        return 0;
+    return saved_ms > 0 ? longer_ms / saved_ms : INFINITY;
+}
+
+const struct sb_row *sb_row_against(const struct sb_row *rows, int count,
+                                    const struct sb_row *row)
+{
+    for (int i = 0; row->against && i < count; i++)
+        if (strcmp(rows[i].scene, row->scene) == 0 &&
+            strcmp(rows[i].variant, row->against) == 0)
+            return &rows[i];
+    return NULL;
+}
+
+static bool same_policy(const struct sb_axes *axes, const struct sb_row *a,
+                        const struct sb_row *b)
+{
+    for (int i = 0; i < axes->count; i++)
+        if (axes->row[i].kind == SB_IMPLEMENTATION &&
+            a->axes->value[i] != b->axes->value[i])
+            return false;
+    return true;
+}
+
+static bool same_text(const char *a, const char *b)
+{
+    return a && b && strcmp(a, b) == 0;
+}
+
+// Of the programs that the rows of one policy are held against. Equal ones are made once: the time
+// of the row that took longest, since it may have made shadow maps or lamps besides.
+static double uber_setup(const struct sb_row *const *uber, int count)
+{
+    double sum = 0;
+    for (int i = 0; i < count; i++) {
+        double longest = 0;
+        bool first = true;
+        for (int j = 0; j < count; j++)
+            if (same_text(uber[i]->lit_hash, uber[j]->lit_hash)) {
+                first &= j >= i;
+                longest = fmax(longest, sb_row_setup_ms(uber[j]));
+            }
+        if (first)
+            sum += longest;
+    }
+    return sum;
+}
+
+static void add_up(const struct sb_row *const *row, const struct sb_row *const *uber,
+                   int count, struct sb_policy_total *total)
+{
+    double log_ratio = 0;
+    *total = (struct sb_policy_total){.first = row[0], .rows = count};
+    for (int i = 0; i < count; i++) {
+        if (row[i]->programs != SB_NO_COUNT)
+            total->programs += (int)row[i]->programs;
+        total->setup_ms += sb_row_setup_ms(row[i]);
+        total->saved_ms += uber[i]->median_ms * (1 - row[i]->against_ratio) / count;
+        log_ratio += log(row[i]->against_ratio) / count;
+    }
+    total->uber_setup_ms = uber_setup(uber, count);
+    total->ratio = exp(log_ratio);
+    total->payback_frames =
+        sb_payback_frames(total->setup_ms - total->uber_setup_ms, total->saved_ms);
+}
+
+int sb_policy_totals(const struct sb_axes *axes, const struct sb_row *row, int count,
+                     bool (*is_policy)(const struct sb_variant *variant),
+                     struct sb_policy_total *total)
+{
+    const size_t room = (size_t)count + 1;
+    const struct sb_row **own = sb_alloc(room * sizeof *own);
+    const struct sb_row **uber = sb_alloc(room * sizeof *uber);
+    bool *taken = sb_alloc(room * sizeof *taken);
+    int totals = 0;
+    for (int i = 0; i < count; i++) {
+        int members = 0;
+        for (int j = i; j < count; j++) {
+            const struct sb_row *other = sb_row_against(row, count, &row[j]);
+            if (taken[j] || !other || isnan(row[j].against_ratio) ||
+                !is_policy(row[j].axes) || !same_policy(axes, &row[i], &row[j]))
+                continue;
+            taken[j] = true;
+            own[members] = &row[j];
+            uber[members++] = other;
+        }
+        if (members > 0)
+            add_up(own, uber, members, &total[totals++]);
+    }
+    free(taken);
+    free(uber);
+    free(own);
+    return totals;
+}
