@@ -6,11 +6,17 @@
 P_ATTENUATION float attenuation_robust(PointLight light, P_ATTENUATION float d)
 {
     P_ATTENUATION vec3 k = vec3(light.constant, light.linear, light.quadratic);
-    return 1.0 / max(k.x + d * (k.y + d * k.z), 1e-4);
+    P_ATTENUATION float slope = 0.0;
+    IF_LINEAR(slope = k.y;)
+    IF_QUADRATIC(slope += d * k.z;)
+    return 1.0 / max(k.x + d * slope, 1e-4);
 }
 
 P_ATTENUATION float attenuation_naive(PointLight light, P_ATTENUATION float d)
 {
     P_ATTENUATION vec3 k = vec3(light.constant, light.linear, light.quadratic);
-    return 1.0 / (k.x + k.y * d + k.z * d * d);
+    P_ATTENUATION float sum = k.x;
+    IF_LINEAR(sum += k.y * d;)
+    IF_QUADRATIC(sum += k.z * d * d;)
+    return 1.0 / sum;
 }

@@ -68,6 +68,7 @@ static void add_up(const struct sb_row *const *row, const struct sb_row *const *
                    int count, struct sb_policy_total *total)
 {
     double log_ratio = 0;
+    bool itself = true;
     *total = (struct sb_policy_total){.first = row[0], .rows = count};
     for (int i = 0; i < count; i++) {
         if (row[i]->programs != SB_NO_COUNT)
@@ -75,11 +76,14 @@ static void add_up(const struct sb_row *const *row, const struct sb_row *const *
         total->setup_ms += sb_row_setup_ms(row[i]);
         total->saved_ms += uber[i]->median_ms * (1 - row[i]->against_ratio) / count;
         log_ratio += log(row[i]->against_ratio) / count;
+        itself &= row[i] == uber[i];
     }
     total->uber_setup_ms = uber_setup(uber, count);
     total->ratio = exp(log_ratio);
     total->payback_frames =
-        sb_payback_frames(total->setup_ms - total->uber_setup_ms, total->saved_ms);
+        itself ? (double)NAN
+               : sb_payback_frames(total->setup_ms - total->uber_setup_ms,
+                                   total->saved_ms);
 }
 
 int sb_policy_totals(const struct sb_axes *axes, const struct sb_row *row, int count,

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "assemble/fixed_lights.h"
+#include "effects/needs.h"
 
 static bool is(const struct sb_variant *variant, int axis, int value)
 {
@@ -41,22 +42,6 @@ static bool check_policy(const struct sb_axes *axes, const struct sb_variant *va
 static const int counts[] = {SB_AXIS_DIR, SB_AXIS_POINT, SB_AXIS_SPOT, SB_AXIS_AREA,
                              SB_AXIS_SHADOWS};
 
-static void raise_maps(struct sb_variant *variant, const struct sb_variant *other)
-{
-    // By letters: the texts of the values are subsets of "dsn", in this order.
-    const struct sb_axis *axis = &sb_axes_builtin()->row[SB_AXIS_MAPS];
-    const char *mine = axis->values[(int)variant->value[SB_AXIS_MAPS]].text;
-    const char *theirs = axis->values[(int)other->value[SB_AXIS_MAPS]].text;
-    char both[4] = "";
-    for (const char *map = "dsn"; *map; map++)
-        if ((strcmp(mine, "none") != 0 && strchr(mine, *map)) ||
-            (strcmp(theirs, "none") != 0 && strchr(theirs, *map)))
-            both[strlen(both)] = *map;
-    for (int v = 0; *both && v < axis->value_count; v++)
-        if (strcmp(axis->values[v].text, both) == 0)
-            variant->value[SB_AXIS_MAPS] = v;
-}
-
 // To what both call for. Laws that both have stay as they are: each law has a program of its own.
 static void raise_to(const struct sb_axes *axes, struct sb_variant *variant,
                      const struct sb_variant *own, const struct sb_variant *other)
@@ -64,7 +49,8 @@ static void raise_to(const struct sb_axes *axes, struct sb_variant *variant,
     for (size_t i = 0; i < sizeof counts / sizeof *counts; i++)
         if (other->value[counts[i]] > variant->value[counts[i]])
             variant->value[counts[i]] = other->value[counts[i]];
-    raise_maps(variant, other);
+    variant->value[SB_AXIS_MAPS] =
+        sb_maps_value(sb_maps_asked(variant) | sb_maps_asked(other));
     if (is(variant, SB_AXIS_MODEL, SB_MODEL_LAMBERT))
         variant->value[SB_AXIS_MODEL] = other->value[SB_AXIS_MODEL];
     if (is(variant, SB_AXIS_AMBIENT, SB_AMBIENT_NONE))
@@ -84,7 +70,7 @@ static bool cover(const struct sb_assemble_params *params, struct sb_variant *va
     *variant = *params->variant;
     for (int i = 0; suite && i < suite->entry_count; i++)
         raise_to(params->axes, variant, params->variant, &suite->entry[i].variant);
-    return sb_variant_resolve(params->axes, variant, &failure) ||
+    return sb_variant_settle(params->axes, variant, &failure) ||
            sb_fail(err, failure.status,
                    "specialise=uber: one program for all variants of the suite: %s",
                    failure.text);

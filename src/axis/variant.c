@@ -134,8 +134,12 @@ static bool expand(const struct sb_axes *axes, struct sb_variant *v, struct sb_e
 bool sb_variant_resolve(const struct sb_axes *axes, struct sb_variant *v,
                         struct sb_error *err)
 {
-    if (!expand(axes, v, err))
-        return false;
+    return expand(axes, v, err) && sb_variant_settle(axes, v, err);
+}
+
+bool sb_variant_settle(const struct sb_axes *axes, struct sb_variant *v,
+                       struct sb_error *err)
+{
     // `when` names earlier rows only (sb_axes_add), so one pass in order is stable.
     for (int i = 0; i < axes->count; i++)
         if (sb_variant_moot(axes, v, i))

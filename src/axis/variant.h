@@ -29,6 +29,11 @@ bool sb_variant_given(const struct sb_variant *v, int axis);
 bool sb_variant_resolve(const struct sb_axes *axes, struct sb_variant *v,
                         struct sb_error *err);
 
+// The rest of sb_variant_resolve, of a variant that was resolved once and then changed: shorthand is
+// not looked at again, so that terms keep what they have.
+bool sb_variant_settle(const struct sb_axes *axes, struct sb_variant *v,
+                       struct sb_error *err);
+
 // Is a value of some axis for accuracy only (SB_UNTIMED), so that the variant has no time?
 bool sb_variant_untimed(const struct sb_axes *axes, const struct sb_variant *v);
 

@@ -25,15 +25,12 @@ struct sb_calls { // what is compiled for one draw, or for several
     int light_count[SB_LIGHT_TYPE_COUNT];
 };
 
-// Why something stays or goes. `draw` -1: for all draws.
+// Why a light, or an effect, is left out of a draw.
 struct sb_decision {
     int draw;
-    int light;             // number in the whole list; -1: not of a light
-    enum sb_effect effect; // SB_EFFECT_COUNT: not of one effect
-    bool kept;
-    double bound; // of a light: the most it adds to a channel of a pixel, full scale 1
-    double reach; // of a light, world units; INFINITY: unlimited
-    const char *text; // "out of reach: 14.2 at most, 20.1 away"; in the analysis' arena
+    int light;        // number in the whole list; -1: an effect
+    const char *what; // "point light 7", "specular"; in the analysis' arena, as is …
+    const char *why;  // "out of range: its light ends at 14.2"
 };
 
 struct sb_analysis {
@@ -65,7 +62,3 @@ void sb_analysis_free(struct sb_analysis *analysis);
 void sb_calls_asked(const struct sb_axes *axes, const struct sb_variant *variant,
                     struct sb_calls *calls);
 
-// The decisions in words, one a line: "point light 7: left out of 9 of 10 draws: out of reach
-// (attenuation below 1/1024 from 14.2)". Draws of one decision are told together.
-void sb_analysis_text(const struct sb_analysis *analysis, const struct sb_scene *scene,
-                      struct sb_text *text);

@@ -137,6 +137,7 @@ struct sb_ref_input sb_ref_geometry_input(const struct sb_ref_geometry *geometry
 {
     int corner[3];
     sb_ref_geometry_corners(geometry, at, corner);
+    const struct sb_scene *scene = geometry->scene;
     const struct sb_ref_input *vertex = &geometry->vertex[geometry->first[at.draw]];
     const struct sb_ref_input *a = vertex + corner[0], *b = vertex + corner[1],
                               *c = vertex + corner[2];
@@ -147,5 +148,6 @@ struct sb_ref_input sb_ref_geometry_input(const struct sb_ref_geometry *geometry
         .bitangent = mix3(a->bitangent, b->bitangent, c->bitangent, weight),
         .uv = {mix(a->uv[0], b->uv[0], c->uv[0], weight),
                mix(a->uv[1], b->uv[1], c->uv[1], weight)},
+        .lacks = scene->material[scene->draw[at.draw].material].lacks,
     };
 }

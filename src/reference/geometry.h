@@ -22,6 +22,7 @@ struct sb_ref_input {
     // What a driver's lookups gave, raw, by enum sb_map; false: the maps are sampled exactly, at uv.
     bool sampled;
     struct sb_vec3 texel[SB_MAP_COUNT];
+    unsigned lacks; // of the draw's material
 };
 
 // A scene ready to be asked: vertices of every draw in clip and world space, and a tree of the

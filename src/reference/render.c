@@ -326,9 +326,10 @@ static void given_pixel(struct work *work, int x, int y)
         const double weight[3] = {1 - second - third, second, third};
         gouraud_pixel(work, x, y, at, weight, page_at(given->maps, x, y));
     } else {
-        const struct sb_ref_input input =
+        struct sb_ref_input input =
             given_input(page_at(given->inputs, x, y), page_at(given->frame, x, y),
                         page_at(given->maps, x, y));
+        input.lacks = material_of(ground, at.draw)->lacks;
         lit_pixel(work, x, y, at.draw, &input);
     }
 }
@@ -444,6 +445,7 @@ void sb_ref_given_at(const struct sb_ref_ground *ground, const struct sb_variant
     struct lighting lighting;
     lighting_make(&lighting, ground, variant, GIVEN);
     point->input = given_input(inputs, frame, maps);
+    point->input.lacks = material_of(ground, draw)->lacks;
     point_at(&lighting, material_of(ground, draw), point);
     free(lighting.light);
 }

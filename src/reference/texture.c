@@ -40,9 +40,19 @@ struct sb_vec3 sb_ref_texture(const struct sb_texture *texture, const double uv[
     return (struct sb_vec3){sum.x / 255, sum.y / 255, sum.z / 255};
 }
 
+// Of a material without the map: what changes nothing.
+static struct sb_vec3 neutral(enum sb_map map)
+{
+    if (map == SB_MAP_NORMAL)
+        return (struct sb_vec3){128.0 / 255, 128.0 / 255, 1};
+    return (struct sb_vec3){1, 1, 1};
+}
+
 struct sb_vec3 sb_ref_texel(const struct sb_ref_shading *shading,
                             const struct sb_ref_input *input, enum sb_map map)
 {
+    if (!input->sampled && input->lacks >> map & 1)
+        return neutral(map);
     return input->sampled ? input->texel[map]
                           : sb_ref_texture(&shading->scene->map[map], input->uv);
 }

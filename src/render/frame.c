@@ -64,9 +64,24 @@ void sb_frame_bind(const struct sb_binding *binding, int64_t *calls)
     }
 }
 
+// Where some materials lack a map, each draw says which texture it is.
+static void set_maps(const struct sb_binding *binding, const struct sb_material *material,
+                     int64_t *calls)
+{
+    const struct sb_upload *upload = binding->upload;
+    for (int i = 0; i < SB_MAP_COUNT; i++) {
+        if (binding->map[i] < 0 || !upload->neutral[i])
+            continue;
+        GL(glActiveTexture(GL_TEXTURE0 + (GLenum)i));
+        GL(glBindTexture(GL_TEXTURE_2D,
+                         material->lacks >> i & 1 ? upload->neutral[i] : upload->map[i]));
+    }
+}
+
 static void set_material(const struct sb_binding *binding, int number, int64_t *calls)
 {
     const struct sb_material *material = &binding->upload->scene->material[number];
+    set_maps(binding, material, calls);
     if (binding->materials)
         GL(glBindBufferRange(GL_UNIFORM_BUFFER, 1, binding->materials,
                              number * binding->material_stride, binding->material_size));

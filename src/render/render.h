@@ -47,6 +47,8 @@ struct sb_upload {
     const struct sb_scene *scene; // the caller's; must outlive this
     struct sb_gpu_mesh *mesh;     // scene->mesh_count
     GLuint map[SB_MAP_COUNT];     // 0: the scene has none
+    // One texel that changes nothing, for materials that lack a map; 0: no material does.
+    GLuint neutral[SB_MAP_COUNT];
 };
 // Maps are sampled bilinearly at full size and repeat: mipmap levels and their selection
 // differ between drivers. A driver that runs out of memory says so in sb_gl_error.

@@ -56,6 +56,23 @@ static GLuint map_make(const struct sb_texture *texture)
     return name;
 }
 
+// White, or the flat normal, which robust decoding takes exactly (shaders/maps/n.glsl).
+static GLuint neutral_make(enum sb_map map)
+{
+    static const unsigned char white[4] = {255, 255, 255, 255},
+                               flat[4] = {128, 128, 255, 255};
+    const struct sb_texture texel = {1, 1, map == SB_MAP_NORMAL ? flat : white};
+    return map_make(&texel);
+}
+
+static bool is_lacked(const struct sb_scene *scene, int map)
+{
+    for (int i = 0; i < scene->material_count; i++)
+        if (scene->material[i].lacks >> map & 1)
+            return true;
+    return false;
+}
+
 void sb_upload_make(struct sb_upload *upload, const struct sb_scene *scene)
 {
     *upload = (struct sb_upload){.scene = scene};
@@ -65,6 +82,8 @@ void sb_upload_make(struct sb_upload *upload, const struct sb_scene *scene)
     for (int i = 0; i < SB_MAP_COUNT; i++) {
         if (scene->map[i].texel)
             upload->map[i] = map_make(&scene->map[i]);
+        if (scene->map[i].texel && is_lacked(scene, i))
+            upload->neutral[i] = neutral_make((enum sb_map)i);
     }
 }
 
@@ -100,6 +119,7 @@ void sb_upload_free(struct sb_upload *upload)
         glDeleteBuffers(1, &mesh->indices);
     }
     glDeleteTextures(SB_MAP_COUNT, upload->map);
+    glDeleteTextures(SB_MAP_COUNT, upload->neutral);
     free(upload->mesh);
     *upload = (struct sb_upload){0};
 }
