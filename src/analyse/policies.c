@@ -81,9 +81,9 @@ static void add_up(const struct sb_row *const *row, const struct sb_row *const *
     total->uber_setup_ms = uber_setup(uber, count);
     total->ratio = exp(log_ratio);
     total->payback_frames =
-        itself ? (double)NAN
-               : sb_payback_frames(total->setup_ms - total->uber_setup_ms,
-                                   total->saved_ms);
+        itself
+            ? (double)NAN
+            : sb_payback_frames(total->setup_ms - total->uber_setup_ms, total->saved_ms);
 }
 
 int sb_policy_totals(const struct sb_axes *axes, const struct sb_row *row, int count,

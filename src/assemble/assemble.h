@@ -50,8 +50,8 @@ struct sb_assembly {
     int built_count;
     struct sb_program
         *program;         // of the job, in the same order: that which lights comes first
-    uint64_t source_hash;       // of all texts that are timed,
-    uint64_t lit_hash;          // and of those of them that light
+    uint64_t source_hash; // of all texts that are timed,
+    uint64_t lit_hash;    // and of those of them that light
     bool lit_per_vertex;  // the lighting is evaluated in the vertex shader
     bool lights_fixed;    // the lights are constants of the program
     // The program reads what nothing has set, as a source text does: its picture may be

@@ -39,8 +39,8 @@ void sb_bounds_of(const struct sb_scene *scene, int draw, struct sb_bounds *boun
     bounds->centre = sb_vec3_scale(sb_vec3_add(bounds->low, bounds->high), 0.5);
     for (int i = 0; i < mesh->vertex_count; i++) {
         const struct sb_vec3 at = placed(it->model, mesh->vertex[i].position);
-        bounds->radius = fmax(bounds->radius,
-                              sb_vec3_length(sb_vec3_sub(at, bounds->centre)));
+        bounds->radius =
+            fmax(bounds->radius, sb_vec3_length(sb_vec3_sub(at, bounds->centre)));
     }
 }
 

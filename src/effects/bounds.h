@@ -25,8 +25,10 @@ bool sb_bounds_between(const struct sb_bounds *bounds, struct sb_vec3 point,
                        const struct sb_bounds *other);
 
 struct sb_shape_facts {
-    bool even; // the normals of each triangle's vertices are equal: interpolation keeps their length
-    bool convex; // no vertex lies in front of a triangle: it casts no shadow on its own lit side
+    bool
+        even; // the normals of each triangle's vertices are equal: interpolation keeps their length
+    bool
+        convex; // no vertex lies in front of a triangle: it casts no shadow on its own lit side
 };
 void sb_shape_facts_of(const struct sb_mesh *mesh, struct sb_shape_facts *facts);
 

@@ -19,8 +19,9 @@ struct analysing {
     struct moving moving;
     struct sb_bounds *bounds;     // of each draw
     struct sb_shape_facts *shape; // of each mesh
-    struct sb_reach *reach;       // of each light on the draw that is looked at, over all phases
-    int *order;                   // of lights, by bound
+    struct sb_reach
+        *reach; // of each light on the draw that is looked at, over all phases
+    int *order; // of lights, by bound
 };
 
 static bool is(const struct sb_variant *variant, int axis, int value)
@@ -89,9 +90,9 @@ static const char *reach_text(struct analysing *it, int number)
         return sb_arena_printf(arena, "outside its cone of %.3g degrees",
                                (double)light->cutoff * 180 / SB_PI);
     default:
-        return sb_arena_printf(
-            arena, "out of reach: its fall-off is below %.3g beyond %.3g", threshold,
-            sb_reach_distance(variant, light, threshold));
+        return sb_arena_printf(arena,
+                               "out of reach: its fall-off is below %.3g beyond %.3g",
+                               threshold, sb_reach_distance(variant, light, threshold));
     }
 }
 
@@ -158,9 +159,9 @@ static void choose_lights(struct analysing *it, int draw, struct sb_needs *needs
 // highlights are not cut, its own shadow shows.
 static bool shadows_itself(const struct analysing *it, int draw)
 {
-    const struct sb_shape_facts *shape =
-        &it->shape[it->params->scene->draw[draw].mesh];
-    return !shape->convex || !shape->even || sb_maps_asked(it->params->variant) & 1U << SB_MAP_NORMAL ||
+    const struct sb_shape_facts *shape = &it->shape[it->params->scene->draw[draw].mesh];
+    return !shape->convex || !shape->even ||
+           sb_maps_asked(it->params->variant) & 1U << SB_MAP_NORMAL ||
            is(it->params->variant, SB_AXIS_SPECULAR_SIDE, SB_SPECULAR_BOTH);
 }
 
@@ -260,7 +261,8 @@ static void look_at_maps(struct analysing *it, int draw, struct sb_needs *needs)
             needs->maps |= 1U << i;
         else
             decide(it, draw, -1, names[i],
-                   used[i] ? "the material has none" : "nothing is left that it would change");
+                   used[i] ? "the material has none"
+                           : "nothing is left that it would change");
     }
 }
 
@@ -274,7 +276,8 @@ static void look_at_normals(struct analysing *it, int draw, struct sb_needs *nee
     needs->renormalise = !highp || !it->shape[scene->draw[draw].mesh].even ||
                          !sb_draw_keeps_length(&scene->draw[draw]) ||
                          needs->maps & 1U << SB_MAP_NORMAL;
-    if (!needs->renormalise && is(it->params->variant, SB_AXIS_NORMALISE, SB_NORMALISE_ON) &&
+    if (!needs->renormalise &&
+        is(it->params->variant, SB_AXIS_NORMALISE, SB_NORMALISE_ON) &&
         is(it->params->variant, SB_AXIS_STAGE, SB_STAGE_FRAGMENT))
         decide(it, draw, -1, "renormalise", "its normals are flat");
 }
@@ -316,14 +319,14 @@ static void make_moving(struct moving *moving, const struct sb_analysis_params *
     const bool moves = !is(params->variant, SB_AXIS_UPDATE, SB_UPDATE_STATIC);
     moving->total = sb_lights_total(lights);
     moving->phases = moves ? SB_PHASES : 1;
-    moving->light = sb_alloc((size_t)(moving->phases * moving->total + 1) *
-                             sizeof *moving->light);
+    moving->light =
+        sb_alloc((size_t)(moving->phases * moving->total + 1) * sizeof *moving->light);
     moving->lights = *lights;
     moving->lights.light = moving->light;
     for (int i = 0; i < moving->phases; i++) {
         // Casters move too, whether or not they do here: what is reached is more, never less.
-        const struct sb_phase phase = {
-            .number = i, .scale = params->variant->value[SB_AXIS_SCALE]};
+        const struct sb_phase phase = {.number = i,
+                                       .scale = params->variant->value[SB_AXIS_SCALE]};
         sb_lights_phase(lights, &phase, moving->light + i * moving->total);
     }
 }
@@ -360,10 +363,11 @@ void sb_analyse(const struct sb_analysis_params *params, struct sb_analysis *ana
     const size_t lights = (size_t)it.moving.total + 1;
     struct sb_needs all = {.lit = sb_arena_alloc(arena, lights * sizeof *all.lit)};
     analysis->draw_count = scene->draw_count;
-    analysis->draw = sb_arena_alloc(arena, ((size_t)scene->draw_count + 1) *
-                                               sizeof *analysis->draw);
+    analysis->draw =
+        sb_arena_alloc(arena, ((size_t)scene->draw_count + 1) * sizeof *analysis->draw);
     for (int d = 0; d < scene->draw_count; d++) {
-        struct sb_needs needs = {.lit = sb_arena_alloc(arena, lights * sizeof *needs.lit)};
+        struct sb_needs needs = {.lit =
+                                     sb_arena_alloc(arena, lights * sizeof *needs.lit)};
         if (scene->draw[d].lamp < 0) {
             look_at_draw(&it, d, &needs);
             unite(&all, &needs, it.moving.total);

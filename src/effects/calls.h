@@ -61,4 +61,3 @@ void sb_analysis_free(struct sb_analysis *analysis);
 // specialise=asked compiles. `light` is NULL: all of them.
 void sb_calls_asked(const struct sb_axes *axes, const struct sb_variant *variant,
                     struct sb_calls *calls);
-

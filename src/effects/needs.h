@@ -6,8 +6,8 @@
 struct sb_needs {
     bool *lit; // of each light of the scene's whole list
     bool ambient, diffuse, specular;
-    unsigned maps; // bit i: map i
-    bool falls_off; // some factor is not 1
+    unsigned maps;          // bit i: map i
+    bool falls_off;         // some factor is not 1
     bool linear, quadratic; // terms of the polynomial
     bool cone, fresnel, renormalise;
     int casters; // the first so many point lights have their shadows looked up

@@ -115,7 +115,8 @@ static bool is_off(const struct sb_light *light)
 {
     bool black = true;
     for (int i = 0; i < 3; i++)
-        black &= light->ambient[i] <= 0 && light->diffuse[i] <= 0 && light->specular[i] <= 0;
+        black &=
+            light->ambient[i] <= 0 && light->diffuse[i] <= 0 && light->specular[i] <= 0;
     return light->intensity <= 0 || black;
 }
 

@@ -20,7 +20,8 @@ enum sb_reach_why {
 };
 
 struct sb_reach {
-    double bound; // the most that it adds to any channel of a pixel, full scale 1; INFINITY: no bound
+    double
+        bound; // the most that it adds to any channel of a pixel, full scale 1; INFINITY: no bound
     double diffuse, specular, ambient; // of it, each alone
     double distance; // least, from the light (an area light's nearest point) to the draw
     enum sb_reach_why why; // LIT, or why the bound is 0

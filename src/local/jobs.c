@@ -37,6 +37,7 @@ static void job_free(struct sb_local *local, struct sb_local_job *job)
         sb_binding_free(&job->probe[i].binding);
     sb_binding_free(&job->blank);
     sb_shadow_free(&job->shadow);
+    sb_shadow_free(&job->unused_shadow);
     for (int role = 0; role < SB_LOCAL_ROLE_COUNT; role++)
         sb_gl_program_free(&job->program[role]);
     sb_pool_scene_put(&local->pool, job->scene);
@@ -50,6 +51,16 @@ static bool shows_lamps(const struct sb_scene *scene)
             return true;
     }
     return false;
+}
+
+// A program for all scenes may be able to look up more casters than this one has.
+static void make_unused_shadows(struct sb_local_job *job, const struct sb_job *request)
+{
+    for (int i = 0; i < request->lit_count; i++)
+        if (sb_shadow_casters(&request->lit[i].variant) >
+                sb_shadow_casters(&job->variant) &&
+            job->unused_shadow.casters == 0)
+            sb_shadow_make_unused(&job->unused_shadow, &request->lit[i].variant);
 }
 
 // The maps, drawn once: where the casters stand still, that is all that is drawn of them.
@@ -173,6 +184,7 @@ bool sb_local_prepare(void *self, const struct sb_job *request,
     if (!sb_local_compile(job, request, result) || !bind_programs(job, request, err) ||
         !make_shadows(local, job, err))
         goto error;
+    make_unused_shadows(job, request);
     job->next = local->jobs;
     local->jobs = job;
     warm_up(local, job, result);

@@ -78,8 +78,10 @@ struct sb_local_job {
     struct sb_local_lit lit;                           // of the lit draws
     struct sb_binding lamp;                            // of lamps
     struct sb_local_probe probe[SB_LOCAL_PROBES];      // "probe" and "inputs"
-    struct sb_binding blank;            // wipes out behind lamps; program 0: not made yet
-    struct sb_shadow shadow;            // casters 0: none
+    struct sb_binding blank; // wipes out behind lamps; program 0: not made yet
+    struct sb_shadow shadow; // casters 0: none
+    struct sb_shadow
+        unused_shadow; // for a program that could look up more; casters 0: none
     struct sb_shared_ring *ring, *half; // half: for shots with shrink=2, made on demand
 };
 

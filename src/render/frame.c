@@ -205,6 +205,8 @@ static void draw_picture(const struct sb_frame_params *params, int64_t *calls)
         GL(glScissor(params->pixel[0], params->pixel[1], 1, 1));
     }
     clear(target, binding->upload->scene->clear_colour, calls);
+    if (params->unused_shadow)
+        *calls += sb_shadow_bind(params->unused_shadow);
     if (params->shadow)
         *calls += sb_shadow_bind(params->shadow);
     draw_all(binding, params->binding_count, params->lamp ? LIT_DRAWS : ALL_DRAWS,

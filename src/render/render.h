@@ -177,6 +177,8 @@ struct sb_frame_params {
     // to all but the first (sb_blank_program_make), bound. Else it does not matter.
     const struct sb_binding *blank;
     const struct sb_shadow *shadow; // maps that `binding` looks up; NULL: none
+    const struct sb_shadow
+        *unused_shadow; // for its other samplers of maps; NULL: it has none
     const struct sb_target *target;
     int layers;
     int phase;         // of the lights, uploaded first; -1: they are left as they are

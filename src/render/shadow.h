@@ -54,6 +54,10 @@ bool sb_shadow_make(struct sb_shadow *shadow, const struct sb_shadow_params *par
                     struct sb_error *err);
 void sb_shadow_free(struct sb_shadow *shadow);
 
+// Maps of one texel, for a program that could look up more casters than the scene has: what it does
+// not look up must be bound all the same, and the same in every frame. Only for sb_shadow_bind.
+void sb_shadow_make_unused(struct sb_shadow *shadow, const struct sb_variant *variant);
+
 // Draws all maps anew for these lights of world space (the first point lights are the
 // casters); lamps cast no shadow, since they stand around the light. Sets all state, returns
 // the number of GL calls, leaves framebuffer and viewport changed.

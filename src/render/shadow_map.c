@@ -229,6 +229,24 @@ bool sb_shadow_make(struct sb_shadow *shadow, const struct sb_shadow_params *par
     return true;
 }
 
+void sb_shadow_make_unused(struct sb_shadow *shadow, const struct sb_variant *variant)
+{
+    const int kind = (int)variant->value[SB_AXIS_SHADOW_MAP];
+    const int casters = sb_shadow_casters(variant);
+    *shadow = (struct sb_shadow){
+        .kind = kind,
+        .store = (int)variant->value[SB_AXIS_SHADOW_STORE],
+        .casters = casters,
+        .size = 1,
+        .target = kinds[kind].target,
+        .texture_count =
+            kinds[kind].textures_a_caster ? kinds[kind].textures_a_caster * casters : 1,
+    };
+    shadow->texture = sb_alloc((size_t)shadow->texture_count * sizeof *shadow->texture);
+    for (int i = 0; i < shadow->texture_count; i++)
+        shadow->texture[i] = texture_make(shadow, shadow->store);
+}
+
 void sb_shadow_free(struct sb_shadow *shadow)
 {
     if (shadow->framebuffer)

@@ -31,7 +31,8 @@ struct sb_mesh { // indexed triangles, counter-clockwise seen from outside
 struct sb_material {
     float ambient[3], diffuse[3], specular[3];
     float shininess;
-    unsigned lacks; // bit i: map i of the scene is not on it: as if it were white, or flat
+    unsigned
+        lacks; // bit i: map i of the scene is not on it: as if it were white, or flat
 };
 
 struct sb_draw { // one mesh, placed
