@@ -30,24 +30,9 @@ static struct sb_light_params dir_light(int i)
     return light;
 }
 
-// Somewhere over the field, higher than every block by `room`.
-static struct sb_light_params light_above(int i, double room)
-{
-    const struct sb_vec3 at = sb_light_spread(i);
-    struct sb_light_params light = {
-        .position = {10 * (at.x - 0.5), 1.5 + room + at.y, 10 * (at.z - 0.5)},
-        .range = 20,
-        .constant = 1,
-        .linear = 0.22,
-        .quadratic = 0.2,
-    };
-    sb_light_colour(&light, i, 0.5);
-    return light;
-}
-
 static struct sb_light_params point_light(int i)
 {
-    return light_above(i, 0.3);
+    return sb_light_above(i, 0.3);
 }
 
 static struct sb_vec3 middle_of_block(int i, double size)
@@ -59,7 +44,7 @@ static struct sb_vec3 middle_of_block(int i, double size)
 // Down at block i mod 25, whose top the eye sees.
 static struct sb_light_params spot_light(int i)
 {
-    struct sb_light_params light = light_above(i, 1.5);
+    struct sb_light_params light = sb_light_above(i, 1.5);
     const struct sb_vec3 block = middle_of_block(i % BLOCKS, 1);
     light.position.x = block.x + 0.15 * light.position.x;
     light.position.z = block.z + 0.15 * light.position.z;
@@ -72,7 +57,7 @@ static struct sb_light_params spot_light(int i)
 
 static struct sb_light_params area_light(int i)
 {
-    struct sb_light_params light = light_above(i, 1);
+    struct sb_light_params light = sb_light_above(i, 1);
     sb_light_shape(&light, i);
     return light;
 }

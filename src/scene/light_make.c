@@ -55,6 +55,20 @@ struct sb_light_params sb_light_from_front(int i)
     return light;
 }
 
+struct sb_light_params sb_light_above(int i, double room)
+{
+    const struct sb_vec3 at = sb_light_spread(i);
+    struct sb_light_params light = {
+        .position = {10 * (at.x - 0.5), 1.5 + room + at.y, 10 * (at.z - 0.5)},
+        .range = 20,
+        .constant = 1,
+        .linear = 0.22,
+        .quadratic = 0.2,
+    };
+    sb_light_colour(&light, i, 0.5);
+    return light;
+}
+
 struct sb_light_params sb_light_torch(struct sb_vec3 eye)
 {
     return (struct sb_light_params){

@@ -108,6 +108,9 @@ struct sb_light_params sb_light_sun(void);
 struct sb_light_params sb_light_from_front(int i);
 struct sb_light_params sb_light_torch(struct sb_vec3 eye);
 
+// Somewhere over a field of 10 x 10 units, `room` higher than things of height 1.5.
+struct sb_light_params sb_light_above(int i, double room);
+
 // --- the corridor that `plane` and `tunnel` share --------------------------------------
 
 // Along z, seen from inside towards -z: floor, ceiling and walls at a distance of `half` from
@@ -128,6 +131,41 @@ void sb_corridor_place(const struct sb_corridor *corridor,
 // or a wall, all of which the eye sees.
 extern const struct sb_material sb_corridor_material;
 struct sb_light_params sb_light_across(int i);
+
+// --- a yard, of which most scenes for effects are made -----------------------------------
+
+struct sb_yard_object { // stands on the ground
+    double x, z, size;
+    double turn; // degrees about y
+    bool ball;   // else a cube
+    int material;
+};
+struct sb_yard {
+    double side; // of the ground, around the origin
+    int tiles;   // it is tiles x tiles draws, so that each may call for lights of its own
+    const struct sb_yard_object *object;
+    int object_count;
+    const struct sb_material *material; // that of the ground first
+    int material_count;
+    double triangles, ambient;
+    struct sb_camera_params camera;
+    sb_light_maker light[SB_LIGHT_TYPE_COUNT];
+};
+void sb_yard_make(struct sb_scene *scene, const struct sb_yard *yard,
+                  const struct sb_variant *variant);
+
+// Seen from a little above, as in `blocks`.
+#define SB_YARD_CAMERA                                                                   \
+    {                                                                                    \
+        .eye = {0, 5.5, 10.5}, .target = {0, 0, -0.5}, .fov = 45 * SB_DEGREE,            \
+        .near = 0.1, .far = 100                                                          \
+    }
+
+// Lights of a yard: over it, as sb_light_above; spot lights shine down.
+struct sb_light_params sb_yard_dir(int i);
+struct sb_light_params sb_yard_point(int i);
+struct sb_light_params sb_yard_spot(int i);
+struct sb_light_params sb_yard_area(int i);
 
 // --- scenes ----------------------------------------------------------------------------
 
@@ -152,3 +190,10 @@ void sb_scene_tunnel(struct sb_scene *scene, const struct sb_variant *variant);
 void sb_scene_blocks(struct sb_scene *scene, const struct sb_variant *variant);
 void sb_scene_spheres(struct sb_scene *scene, const struct sb_variant *variant);
 void sb_scene_room(struct sb_scene *scene, const struct sb_variant *variant);
+void sb_scene_night(struct sb_scene *scene, const struct sb_variant *variant);
+void sb_scene_flashlight(struct sb_scene *scene, const struct sb_variant *variant);
+void sb_scene_lamps4(struct sb_scene *scene, const struct sb_variant *variant);
+void sb_scene_lamps64(struct sb_scene *scene, const struct sb_variant *variant);
+void sb_scene_mixed(struct sb_scene *scene, const struct sb_variant *variant);
+void sb_scene_partly_mapped(struct sb_scene *scene, const struct sb_variant *variant);
+void sb_scene_one_caster(struct sb_scene *scene, const struct sb_variant *variant);

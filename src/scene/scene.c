@@ -15,13 +15,20 @@ const struct sb_scene_row sb_scene_rows[] = {
     {"blocks",     "a field of blocks under a sun that moves",     sb_scene_blocks,     false},
     {"spheres",    "eight spheres, each of its own material",      sb_scene_spheres,    false},
     {"room",       "a closed room, for shadows of point lights",   sb_scene_room,       false},
+    {"night",      "a yard at night, with one lamp",               sb_scene_night,      false},
+    {"flashlight", "a dark yard, a flashlight on a few things",    sb_scene_flashlight, false},
+    {"lamps4",     "four lamps over a few things",                 sb_scene_lamps4,     false},
+    {"lamps64",    "a field of tiles, each reached by few of 64 lamps", sb_scene_lamps64, false},
+    {"mixed",      "matte and glossy things",                      sb_scene_mixed,      false},
+    {"partly_mapped", "things with all maps, some, and none",      sb_scene_partly_mapped, false},
+    {"one_caster", "a lamp whose shadows fall on a few things",    sb_scene_one_caster, false},
 };
 // clang-format on
 const int sb_scene_row_count = sizeof sb_scene_rows / sizeof *sb_scene_rows;
 
 const struct sb_scene_row *sb_scene_expect(const char *name, struct sb_error *err)
 {
-    const char *names[16];
+    const char *names[24];
     for (int i = 0; i < sb_scene_row_count; i++) {
         if (strcmp(sb_scene_rows[i].name, name) == 0)
             return &sb_scene_rows[i];
