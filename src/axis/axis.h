@@ -27,7 +27,8 @@ enum {
     SB_WHOLE = 4,   // a number axis that takes whole numbers only
     SB_APART =
         8, // a quality axis, or values of one, whose rows are not ranked against others'
-    SB_TRUTH = 16, // a scene axis that is quality where the scene's truth is analytic
+    SB_OPTION = 32, // an option of the command line, too, as platform axes are
+    SB_TRUTH = 16,  // a scene axis that is quality where the scene's truth is analytic
 };
 
 struct sb_value { // one word of a choice axis; its number is its place in the list

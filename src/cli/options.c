@@ -58,6 +58,7 @@ static const struct option options_table[] = {
     {"policies", 0,   NULL,         COMPARE,          FLAG,       AT(policies), "what each policy (axis specialise) saves against the program for all scenes"},
     {"ablation", 0,   NULL,         COMPARE,          FLAG,       AT(ablation), "what each effect costs, and who would see it go, from a run --ablate"},
     {"validate", 0,   NULL,         SHOW,             FLAG,       AT(validate), "check the sources with glslangValidator"},
+    {"effects",  0,   NULL,         SHOW,             FLAG,       AT(effects),  "not sources: what each draw of the scene calls for, and why the rest is left out"},
     {"timer",    0,   "NAME",       RUN|PROBE|VERIFY, TEXT,       AT(timer),    "timer source to use, if its audit allows; default: auto"},
     {"pixel",    0,   "X,Y",        EXPLAIN,          TEXT,       AT(pixel),    "the pixel to explain, counted from the lower left"},
     {"device",   0,   "N",          RUN|PROBE|VERIFY|EXPLAIN, TEXT,       AT(device),   "EGL device number, where there are several"},
@@ -71,6 +72,12 @@ static const struct option options_table[] = {
 // clang-format on
 #undef AT
 enum { OPTION_COUNT = sizeof options_table / sizeof *options_table };
+
+// --context egl is --set context=egl.
+static bool is_option(const struct sb_axis *axis)
+{
+    return axis->kind == SB_PLATFORM || axis->flags & SB_OPTION;
+}
 
 // Names of all options of a command, for messages; returns their number.
 static int option_names(const struct sb_command *command, const char **names, int room,
@@ -89,7 +96,7 @@ static int option_names(const struct sb_command *command, const char **names, in
     }
     const struct sb_axes *axes = sb_axes_builtin();
     for (int i = 0; !(command->bit & OFFLINE) && i < axes->count && count < room; i++)
-        if (axes->row[i].kind == SB_PLATFORM)
+        if (is_option(&axes->row[i]))
             names[count++] = sb_arena_printf(arena, "--%s", axes->row[i].name);
     return count;
 }
@@ -144,7 +151,7 @@ static bool derived_option(const struct sb_command *command, const char *name,
             list = &options->setting;
     const struct sb_axes *axes = sb_axes_builtin();
     const int axis = sb_axes_find(axes, plain);
-    if (!(command->bit & OFFLINE) && axis >= 0 && axes->row[axis].kind == SB_PLATFORM)
+    if (!(command->bit & OFFLINE) && axis >= 0 && is_option(&axes->row[axis]))
         list = &options->set;
     *known = list != NULL;
     if (!list || !value || list->count == SB_ASSIGNMENTS_MAX)
@@ -275,7 +282,7 @@ void sb_options_help(const struct sb_command *command)
     if (!(command->bit & OFFLINE))
         printf("\nplatform, each also as --set NAME=VALUE:\n");
     for (int i = 0; !(command->bit & OFFLINE) && i < axes->count; i++)
-        if (axes->row[i].kind == SB_PLATFORM)
+        if (is_option(&axes->row[i]))
             help_line(axes->row[i].name, axes->row[i].values ? "WORD" : "N", 0,
                       axes->row[i].help);
     if (!(command->bit & RUN))

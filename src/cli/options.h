@@ -18,7 +18,7 @@ struct sb_options {
     const char *data, *shaders, *preset, *scene, *output, *resume, *timer, *device, *dump,
         *pixel, *form, *precision, *search, *seed;
     bool json, quiet, verbose, help, images, validate, classes, pareto, terms, all,
-        breaking, time, payback, ablate, policies, ablation;
+        breaking, time, payback, ablate, policies, ablation, effects;
     struct sb_assignments set, sweep, cross, setting;
     const char *word[SB_WORDS_MAX]; // what is no option
     int word_count;

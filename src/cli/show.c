@@ -6,8 +6,9 @@
 #include "assemble/assemble.h"
 #include "assemble/platform.h"
 #include "base/file.h"
-#include "cli/common.h"
+#include "cli/show.h"
 #include "cli/table.h"
+#include "scene/scene.h"
 
 static bool assemble(const struct sb_options *options, const char *data,
                      const struct sb_suite *suite, const struct sb_plan_entry *entry,
@@ -122,6 +123,14 @@ static bool show_plan(const struct sb_options *options, const char *data,
     return good;
 }
 
+static bool names_scene(const char *word)
+{
+    for (int i = 0; i < sb_scene_row_count; i++)
+        if (strcmp(sb_scene_rows[i].name, word) == 0)
+            return true;
+    return false;
+}
+
 int sb_cmd_show(const struct sb_options *given, int argc, char **argv)
 {
     (void)argc;
@@ -131,6 +140,7 @@ int sb_cmd_show(const struct sb_options *given, int argc, char **argv)
     struct sb_suite suite = {0};
     struct sb_options options = *given;
     const char *word = given->word_count ? given->word[0] : "default";
+    const bool is_scene = given->effects && names_scene(word);
     const bool is_variant = strchr(word, '=') || strcmp(word, "default") == 0;
     const char *path = NULL;
     const char *data = sb_data_dir(&arena, given->data, &err);
@@ -140,13 +150,16 @@ int sb_cmd_show(const struct sb_options *given, int argc, char **argv)
                sb_fail(&err, SB_USAGE,
                        "show takes one variant or suite; \"%s\" is one too many",
                        given->word[1]);
-    if (good && is_variant)
+    if (good && is_scene)
+        options.scene = word;
+    else if (good && is_variant)
         good = sb_cli_add_variant(word, &options, &arena, &err);
     else if (good)
         good = (path = sb_cli_suite_path(word, data, &arena, &err)) != NULL;
     good = good && sb_cli_load_suite(&options, path, data, &suite, &err);
     if (good)
-        good = is_variant && suite.entry_count == 1
+        good = given->effects ? sb_show_effects(&options, &suite, &err)
+               : is_variant && suite.entry_count == 1
                    ? show_sources(&options, data, &suite, &err)
                    : show_plan(&options, data, &suite, &err);
     sb_suite_free(&suite);

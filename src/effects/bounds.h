@@ -8,6 +8,10 @@
 struct sb_bounds {
     struct sb_vec3 low, high, centre;
     double radius;
+    // All of it lies in one plane, of which it shows one side: dot(normal, point) <= offset.
+    bool flat;
+    struct sb_vec3 normal;
+    double offset;
 };
 void sb_bounds_of(const struct sb_scene *scene, int draw, struct sb_bounds *bounds);
 
@@ -20,7 +24,8 @@ bool sb_bounds_in_cone(const struct sb_bounds *bounds, struct sb_vec3 apex,
                        struct sb_vec3 axis, double angle);
 
 // May something in `other` stand between the point and something in `bounds`? Whether the sphere of
-// `other` touches the hull of the point and the sphere of `bounds`; conservative.
+// `other` touches the hull of the point and the sphere of `bounds`, unless `bounds` is flat and all of
+// `other` is behind it; conservative.
 bool sb_bounds_between(const struct sb_bounds *bounds, struct sb_vec3 point,
                        const struct sb_bounds *other);
 

@@ -25,6 +25,9 @@ struct sb_calls { // what is compiled for one draw, or for several
     int light_count[SB_LIGHT_TYPE_COUNT];
 };
 
+// How many of its lights have their shadows looked up.
+int sb_calls_casters(const struct sb_calls *calls);
+
 // Why a light, or an effect, is left out of a draw.
 struct sb_decision {
     int draw;

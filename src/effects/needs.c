@@ -150,6 +150,11 @@ void sb_needs_to_calls(const struct sb_needs *needs, const struct sb_axes *axes,
     calls->effects = sb_effects_of(axes, &calls->variant) & ~left_out(needs);
 }
 
+int sb_calls_casters(const struct sb_calls *calls)
+{
+    return (int)calls->variant.value[SB_AXIS_SHADOWS];
+}
+
 // --- without looking at a scene ----------------------------------------------------------------
 
 void sb_calls_asked(const struct sb_axes *axes, const struct sb_variant *variant,

@@ -43,7 +43,7 @@ void sb_scene_flashlight(struct sb_scene *scene, const struct sb_variant *varian
         .object_count = sizeof object / sizeof *object,
         .material = material,
         .material_count = sizeof material / sizeof *material,
-        .triangles = 3000,
+        .triangles = 1200,
         .ambient = 0.05,
         .camera = {.eye = {0, 1.6, 8.5},
                    .target = {0, 0.4, 0},

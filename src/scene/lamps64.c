@@ -52,7 +52,7 @@ void sb_scene_lamps64(struct sb_scene *scene, const struct sb_variant *variant)
         .object_count = sizeof object / sizeof *object,
         .material = material,
         .material_count = sizeof material / sizeof *material,
-        .triangles = 6000,
+        .triangles = 2400,
         .ambient = 0.05,
         .camera = {.eye = {0, 11, 9},
                    .target = {0, 0, 0.4},

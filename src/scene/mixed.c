@@ -32,7 +32,7 @@ void sb_scene_mixed(struct sb_scene *scene, const struct sb_variant *variant)
         .object_count = sizeof object / sizeof *object,
         .material = material,
         .material_count = sizeof material / sizeof *material,
-        .triangles = 4000,
+        .triangles = 1600,
         .ambient = 0.1,
         .camera = SB_YARD_CAMERA,
         .light = {sb_yard_dir, sb_yard_point, sb_yard_spot, sb_yard_area},

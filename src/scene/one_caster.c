@@ -41,7 +41,7 @@ void sb_scene_one_caster(struct sb_scene *scene, const struct sb_variant *varian
         .object_count = sizeof object / sizeof *object,
         .material = material,
         .material_count = sizeof material / sizeof *material,
-        .triangles = 4000,
+        .triangles = 1600,
         .ambient = 0.1,
         .camera = SB_YARD_CAMERA,
         .light = {sb_yard_dir, point_light, sb_yard_spot, sb_yard_area},

@@ -44,7 +44,7 @@ void sb_scene_partly_mapped(struct sb_scene *scene, const struct sb_variant *var
         .object_count = sizeof object / sizeof *object,
         .material = material,
         .material_count = sizeof material / sizeof *material,
-        .triangles = 3000,
+        .triangles = 1200,
         .ambient = 0.1,
         .camera = SB_YARD_CAMERA,
         .light = {sb_yard_dir, sb_yard_point, sb_yard_spot, sb_yard_area},
