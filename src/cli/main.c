@@ -14,7 +14,7 @@ const struct sb_command sb_commands[] = {
      "Opens a context, proves its timers against the wall clock and probes its precision\nqualifiers. Exit code 3: no timer is credible.", 1, sb_cmd_probe},
     {"list", "[WHAT]", "suites, presets, scenes, axes, cases, contexts, columns, settings, statuses",
      "Without a word: the suites and what else can be listed.", 2, sb_cmd_list},
-    {"show", "VARIANT | SUITE", "the final GLSL of a variant (point=4,stage=vertex), or the plan of a suite",
+    {"show", "VARIANT | SUITE | --effects SCENE", "the final GLSL of a variant (point=4,stage=vertex), the plan of a suite, or what a scene calls for",
      "A variant is AXIS=VALUE,…, after the name of a preset where it has one; `default` is the\nvariant of all defaults. Needs no GL.", 4, sb_cmd_show},
     {"run", "[SUITE]", "measure a suite, or what --set and --sweep ask for",
      "SUITE is the name of a shipped suite (shadebench list suites) or a YAML file. Without\nSUITE, --set and --sweep say what to run. Exit codes: 0 done, 2 input, 3 a row is not\nvalid, 77 no GL here, 130 interrupted.", 8, sb_cmd_run},

@@ -176,6 +176,8 @@ static bool show_entry(const struct sb_suite *suite, const struct sb_plan_entry 
                             draws_json(&it), "left_out", left_out_json(&it)));
     } else if (good) {
         printf("%s, %s: %d draws\n", entry->scene, entry->id, it.lit);
+        if (sb_lights_total(&it.scene.lights) == 0)
+            printf("  no light is asked for: --set point=4, or dir, spot, area\n");
         print_left_out(&it);
         print_calls(&it);
         printf("\n");

@@ -25,6 +25,35 @@ static struct sb_vec3 upper(struct sb_vec3 a, struct sb_vec3 b)
     return (struct sb_vec3){fmax(a.x, b.x), fmax(a.y, b.y), fmax(a.z, b.z)};
 }
 
+static struct sb_vec3 corner(const struct sb_scene *scene, int draw, int index)
+{
+    const struct sb_draw *it = &scene->draw[draw];
+    const struct sb_mesh *mesh = &scene->mesh[it->mesh];
+    return placed(it->model, mesh->vertex[mesh->index[index]].position);
+}
+
+// The plane of the first triangle, if all others lie in it and face the same way.
+static void find_plane(const struct sb_scene *scene, int draw, struct sb_bounds *bounds)
+{
+    const struct sb_mesh *mesh = &scene->mesh[scene->draw[draw].mesh];
+    bounds->flat = mesh->index_count >= 3;
+    bounds->offset = -INFINITY;
+    for (int i = 0; bounds->flat && i + 2 < mesh->index_count; i += 3) {
+        const struct sb_vec3 a = corner(scene, draw, i);
+        const struct sb_vec3 ab = sb_vec3_sub(corner(scene, draw, i + 1), a);
+        const struct sb_vec3 ac = sb_vec3_sub(corner(scene, draw, i + 2), a);
+        const struct sb_vec3 n = sb_vec3_cross(ab, ac);
+        const double length = sb_vec3_length(n);
+        if (i == 0 && length > 0)
+            bounds->normal = sb_vec3_scale(n, 1 / length);
+        bounds->flat =
+            length > 0 && sb_vec3_dot(n, bounds->normal) > (1 - 1e-9) * length &&
+            fabs(sb_vec3_dot(sb_vec3_sub(a, corner(scene, draw, 0)), bounds->normal)) <
+                1e-6 * bounds->radius;
+        bounds->offset = fmax(bounds->offset, sb_vec3_dot(bounds->normal, a));
+    }
+}
+
 void sb_bounds_of(const struct sb_scene *scene, int draw, struct sb_bounds *bounds)
 {
     const struct sb_draw *it = &scene->draw[draw];
@@ -42,6 +71,21 @@ void sb_bounds_of(const struct sb_scene *scene, int draw, struct sb_bounds *boun
         bounds->radius =
             fmax(bounds->radius, sb_vec3_length(sb_vec3_sub(at, bounds->centre)));
     }
+    find_plane(scene, draw, bounds);
+}
+
+// The farthest that the box reaches along a direction.
+static double farthest(const struct sb_bounds *bounds, struct sb_vec3 n)
+{
+    return fmax(n.x * bounds->low.x, n.x * bounds->high.x) +
+           fmax(n.y * bounds->low.y, n.y * bounds->high.y) +
+           fmax(n.z * bounds->low.z, n.z * bounds->high.z);
+}
+
+static bool is_behind(const struct sb_bounds *plane, const struct sb_bounds *other)
+{
+    return plane->flat && farthest(other, plane->normal) <=
+                              plane->offset + 1e-6 * (plane->radius + other->radius);
 }
 
 double sb_bounds_distance(const struct sb_bounds *bounds, struct sb_vec3 point)
@@ -78,6 +122,8 @@ bool sb_bounds_between(const struct sb_bounds *bounds, struct sb_vec3 point,
     const struct sb_vec3 to_other = sb_vec3_sub(other->centre, point);
     const double distance = sb_vec3_length(to_centre);
     const double other_distance = sb_vec3_length(to_other);
+    if (is_behind(bounds, other))
+        return false;
     if (other_distance <= other->radius || distance <= bounds->radius)
         return true;
     return other_distance - other->radius <= distance + bounds->radius &&

@@ -273,17 +273,26 @@ static void look_at_normals(struct analysing *it, int draw, struct sb_needs *nee
     const double *value = it->params->variant->value;
     const bool highp = value[SB_AXIS_P_VARYING] == SB_P_VARYING_HIGHP &&
                        value[SB_AXIS_P_VECTOR] == SB_P_VECTOR_HIGHP;
-    needs->renormalise = !highp || !it->shape[scene->draw[draw].mesh].even ||
-                         !sb_draw_keeps_length(&scene->draw[draw]) ||
-                         needs->maps & 1U << SB_MAP_NORMAL;
-    if (!needs->renormalise &&
-        is(it->params->variant, SB_AXIS_NORMALISE, SB_NORMALISE_ON) &&
+    const bool lit = needs->diffuse || needs->specular;
+    const bool keeps = highp && it->shape[scene->draw[draw].mesh].even &&
+                       sb_draw_keeps_length(&scene->draw[draw]) &&
+                       !(needs->maps & 1U << SB_MAP_NORMAL);
+    needs->renormalise = lit && !keeps;
+    if (lit && keeps && is(it->params->variant, SB_AXIS_NORMALISE, SB_NORMALISE_ON) &&
         is(it->params->variant, SB_AXIS_STAGE, SB_STAGE_FRAGMENT))
         decide(it, draw, -1, "renormalise", "its normals are flat");
 }
 
+static void look_at_sun(struct analysing *it, int draw)
+{
+    const struct sb_variant *variant = it->params->variant;
+    if (it->moving.lights.count[SB_LIGHT_DIR] < (int)variant->value[SB_AXIS_DIR])
+        decide(it, draw, -1, "the sun", "below the horizon");
+}
+
 static void look_at_draw(struct analysing *it, int draw, struct sb_needs *needs)
 {
+    look_at_sun(it, draw);
     choose_lights(it, draw, needs);
     choose_casters(it, draw, needs);
     look_at_colours(it, draw, needs);
