@@ -25,8 +25,8 @@ static struct sb_light_params point_light(int i)
 {
     struct sb_light_params light = sb_yard_point(i);
     if (i == 0) {
-        light.position = (struct sb_vec3){-3.1, 2.2, -1.1};
-        light.range = 4;
+        light.position = (struct sb_vec3){-2.9, 1.5, 3.2};
+        light.range = 3.4;
         light.diffuse = light.specular = (struct sb_vec3){1.4, 1.2, 0.9};
     }
     return light;
