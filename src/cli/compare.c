@@ -3,10 +3,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "base/file.h"
-#include "base/log.h"
 #include "cli/compare.h"
-#include "measure/run.h"
 
 bool sb_compare_varies(const struct sb_compared *compared, int axis)
 {
@@ -58,54 +55,6 @@ void sb_compare_add_driver(const struct sb_compared *compared, const struct sb_r
 json_t *sb_compare_number(double value)
 {
     return isfinite(value) ? json_real(value) : json_null();
-}
-
-// The suite's copy is wanted for the axes that it declares; built-in ones are known without it.
-static void load_axes(const struct sb_options *options, const char *folder,
-                      struct sb_compared *compared, struct sb_arena *arena)
-{
-    struct sb_error err = {0};
-    const char *path = sb_path_join(arena, folder, SB_SUITE_COPY);
-    compared->axes = sb_axes_builtin();
-    if (!sb_file_exists(path))
-        return;
-    const struct sb_suite_params params = {
-        .path = path,
-        .data_dir = sb_data_dir(arena, options->data, &err),
-    };
-    if (sb_suite_load(&params, &compared->suite, &err))
-        compared->axes = &compared->suite.axes;
-    else
-        sb_warn("%s; only built-in axes are known", err.text);
-}
-
-static bool load(const struct sb_options *options, const char *word,
-                 struct sb_compared *compared, struct sb_arena *arena,
-                 struct sb_error *err)
-{
-    const char *folder = word;
-    if (sb_dir_exists(word)) {
-        compared->path = sb_path_join(arena, word, "summary.csv");
-        if (!sb_file_exists(compared->path))
-            return sb_fail(err, SB_BAD_INPUT,
-                           "%s: the folder has no summary.csv; a results folder of "
-                           "shadebench run is wanted",
-                           word);
-    } else if (sb_file_exists(word)) {
-        char *copy = sb_arena_strdup(arena, word);
-        char *slash = strrchr(copy, '/');
-        if (slash)
-            slash[slash == copy] = '\0';
-        folder = slash ? copy : ".";
-        compared->path = word;
-    } else {
-        return sb_fail(err, SB_BAD_INPUT,
-                       "%s: there is no such folder or file; a results folder or its "
-                       "summary.csv is wanted",
-                       word);
-    }
-    load_axes(options, folder, compared, arena);
-    return sb_rows_read(compared->path, compared->axes, &compared->rows, err);
 }
 
 // --- what to compare ---------------------------------------------------------------------
@@ -166,12 +115,11 @@ int sb_cmd_compare(const struct sb_options *options, int argc, char **argv)
     struct sb_compared compared = {0};
     const struct way *way = find_way(options, &err);
     int code;
-    if (!way || !load(options, options->word[0], &compared, &arena, &err))
+    if (!way || !sb_results_load(options, options->word[0], &compared, &arena, &err))
         code = sb_cli_fail(&err);
     else
         code = way->run(options, &compared);
-    sb_rows_free(&compared.rows);
-    sb_suite_free(&compared.suite);
+    sb_results_free(&compared);
     sb_arena_free(&arena);
     return code;
 }

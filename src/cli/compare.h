@@ -1,15 +1,7 @@
 // What the parts of `compare` share: the rows of a results folder and the axes they lie on.
 #pragma once
 
-#include "cli/common.h"
-#include "results/rows.h"
-
-struct sb_compared {
-    const char *path;      // of summary.csv
-    struct sb_suite suite; // the folder's copy; empty without one
-    const struct sb_axes *axes;
-    struct sb_rows rows;
-};
+#include "cli/results.h"
 
 // Each prints text or JSON and returns the exit code.
 int sb_compare_pareto(const struct sb_options *options, struct sb_compared *compared);

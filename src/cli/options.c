@@ -14,10 +14,11 @@ enum {
     VERIFY = 16,
     COMPARE = 32,
     EXPLAIN = 64,
-    ALL = 127
+    FIT = 128,
+    ALL = 255
 };
 enum { PLAN = RUN | SHOW | VERIFY | EXPLAIN }; // commands that take variants
-enum { OFFLINE = LIST | COMPARE };             // those that are of no platform
+enum { OFFLINE = LIST | COMPARE | FIT };       // those that are of no platform
 
 enum option_type { FLAG, TEXT, ASSIGNMENT };
 
@@ -57,6 +58,7 @@ static const struct option options_table[] = {
     {"terms",    0,   NULL,         COMPARE,          FLAG,       AT(terms),    "the price of each term's precision, from a run of the suite terms"},
     {"policies", 0,   NULL,         COMPARE,          FLAG,       AT(policies), "what each policy (axis specialise) saves against the program for all scenes"},
     {"ablation", 0,   NULL,         COMPARE,          FLAG,       AT(ablation), "what each effect costs, and who would see it go, from a run --ablate"},
+    {"ms",       0,   "N,…",        FIT,              TEXT,       AT(ms),       "frame times in which lights are to fit; default: powers of two among those measured"},
     {"validate", 0,   NULL,         SHOW,             FLAG,       AT(validate), "check the sources with glslangValidator"},
     {"effects",  0,   NULL,         SHOW,             FLAG,       AT(effects),  "not sources: what each draw of the scene calls for, and why the rest is left out"},
     {"timer",    0,   "NAME",       RUN|PROBE|VERIFY, TEXT,       AT(timer),    "timer source to use, if its audit allows; default: auto"},

@@ -1,0 +1,19 @@
+// The rows of a results folder, for the commands that measure nothing.
+#pragma once
+
+#include "cli/common.h"
+#include "results/rows.h"
+
+struct sb_compared {
+    const char *path;      // of summary.csv
+    struct sb_suite suite; // the folder's copy; empty without one
+    const struct sb_axes *axes;
+    struct sb_rows rows;
+};
+
+// `word` is a results folder or its summary.csv. *compared must be zeroed; free also after
+// failure. The path lives in the arena.
+bool sb_results_load(const struct sb_options *options, const char *word,
+                     struct sb_compared *compared, struct sb_arena *arena,
+                     struct sb_error *err);
+void sb_results_free(struct sb_compared *compared);
