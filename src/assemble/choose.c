@@ -61,15 +61,18 @@ static void raise_to(const struct sb_axes *axes, struct sb_variant *variant,
             variant->value[i] = other->value[i];
 }
 
-// The smallest variant that covers every entry of the suite that is drawn on the same terms.
+// The smallest variant that covers every entry of the suite that is lit in the same stage.
 static bool cover(const struct sb_assemble_params *params, struct sb_variant *variant,
                   struct sb_error *err)
 {
     struct sb_error failure = {0};
     const struct sb_suite *suite = params->suite;
     *variant = *params->variant;
-    for (int i = 0; suite && i < suite->entry_count; i++)
-        raise_to(params->axes, variant, params->variant, &suite->entry[i].variant);
+    for (int i = 0; suite && i < suite->entry_count; i++) {
+        const struct sb_variant *other = &suite->entry[i].variant;
+        if (other->value[SB_AXIS_STAGE] == variant->value[SB_AXIS_STAGE])
+            raise_to(params->axes, variant, params->variant, other);
+    }
     return sb_variant_settle(params->axes, variant, &failure) ||
            sb_fail(err, failure.status,
                    "specialise=uber: one program for all variants of the suite: %s",
