@@ -356,12 +356,14 @@ static uint32_t effects_of(const char *words)
 
 enum {
     AMBIENT = 1 << SB_EFFECT_AMBIENT,
-    DIFFUSE = 1 << SB_EFFECT_DIFFUSE,
+    RENORMALISE = 1 << SB_EFFECT_RENORMALISE, // wherever fragments are lit
+    DIFFUSE = 1 << SB_EFFECT_DIFFUSE | RENORMALISE,
     SPECULAR = 1 << SB_EFFECT_SPECULAR | 1 << SB_EFFECT_VIEW,
     SPECULAR_EACH = 1 << SB_EFFECT_SPECULAR | 1 << SB_EFFECT_VIEW_EACH,
     FRESNEL = 1 << SB_EFFECT_FRESNEL,
     SPECULAR_NORM = 1 << SB_EFFECT_SPECULAR_NORM,
-    ATTENUATION = 1 << SB_EFFECT_ATTENUATION,
+    ATTENUATION = 1 << SB_EFFECT_ATTENUATION | 1 << SB_EFFECT_LINEAR |
+                  1 << SB_EFFECT_QUADRATIC,
     CONE = 1 << SB_EFFECT_CONE,
     DIFFUSE_MAP = 1 << SB_EFFECT_DIFFUSE_MAP,
     DIFFUSE_MAP_EACH = 1 << SB_EFFECT_DIFFUSE_MAP_EACH,
@@ -393,7 +395,10 @@ static const struct {
     {"ambient=none dir=1 maps=diffuse+specular+normal hoist=per_light",
      DIFFUSE | SPECULAR_EACH | DIFFUSE_MAP_EACH | SPECULAR_MAP_EACH | NORMAL_MAP},
     {"ambient=none dir=1 maps=diffuse+specular hoist=per_light stage=vertex",
-     DIFFUSE | SPECULAR_EACH | DIFFUSE_MAP | SPECULAR_MAP},
+     (DIFFUSE ^ RENORMALISE) | SPECULAR_EACH | DIFFUSE_MAP | SPECULAR_MAP},
+    {"ambient=none dir=1 model=lambert normalise=off", DIFFUSE ^ RENORMALISE},
+    {"ambient=none point=1 model=lambert attenuation=radius",
+     DIFFUSE | 1 << SB_EFFECT_ATTENUATION},
     {"ambient=none dir=1 fresnel=schlick", DIFFUSE | SPECULAR | FRESNEL},
     {"ambient=none dir=1 model=phong specular_norm=energy",
      DIFFUSE | SPECULAR | SPECULAR_NORM},

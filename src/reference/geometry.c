@@ -132,12 +132,17 @@ static struct sb_vec3 mix3(struct sb_vec3 a, struct sb_vec3 b, struct sb_vec3 c,
                             mix(a.z, b.z, c.z, weight)};
 }
 
+unsigned sb_ref_lacks(const struct sb_scene *scene, int draw)
+{
+    const int material = scene->draw[draw].material;
+    return material < scene->material_count ? scene->material[material].lacks : 0;
+}
+
 struct sb_ref_input sb_ref_geometry_input(const struct sb_ref_geometry *geometry,
                                           struct sb_ref_cover at, const double weight[3])
 {
     int corner[3];
     sb_ref_geometry_corners(geometry, at, corner);
-    const struct sb_scene *scene = geometry->scene;
     const struct sb_ref_input *vertex = &geometry->vertex[geometry->first[at.draw]];
     const struct sb_ref_input *a = vertex + corner[0], *b = vertex + corner[1],
                               *c = vertex + corner[2];
@@ -148,6 +153,6 @@ struct sb_ref_input sb_ref_geometry_input(const struct sb_ref_geometry *geometry
         .bitangent = mix3(a->bitangent, b->bitangent, c->bitangent, weight),
         .uv = {mix(a->uv[0], b->uv[0], c->uv[0], weight),
                mix(a->uv[1], b->uv[1], c->uv[1], weight)},
-        .lacks = scene->material[scene->draw[at.draw].material].lacks,
+        .lacks = sb_ref_lacks(geometry->scene, at.draw),
     };
 }

@@ -96,3 +96,6 @@ struct sb_ref_tree {
 // Orders `triangle` and makes the nodes above it.
 void sb_ref_tree_build(struct sb_ref_tree *tree);
 void sb_ref_tree_free(struct sb_ref_tree **tree);
+
+// Maps that the material of a draw lacks; 0 where the scene has no materials.
+unsigned sb_ref_lacks(const struct sb_scene *scene, int draw);

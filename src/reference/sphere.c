@@ -156,7 +156,7 @@ static struct sb_ref_input surface_at(const struct sb_ref_geometry *geometry,
         .normal = sb_vec3_dot(normal, normal) > 0 ? sb_vec3_normalise(normal) : normal,
         .tangent = combined(draw->model, 4, tangent),
         .uv = {(longitude + SB_PI) / (2 * SB_PI), latitude / SB_PI + 0.5},
-        .lacks = geometry->scene->material[draw->material].lacks,
+        .lacks = sb_ref_lacks(geometry->scene, at.draw),
     };
     input.bitangent = sb_vec3_cross(input.normal, input.tangent); // w is 1
     const double third[3] = {1.0 / 3, 1.0 / 3, 1.0 / 3};
