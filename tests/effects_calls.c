@@ -234,7 +234,8 @@ static void lookups_stay_where_something_may_stand_between(void **state)
     look(&it);
     for (int d = 0; d < it.scene.draw_count; d++) {
         looked_up += value(&it.analysis.draw[d], SB_AXIS_SHADOWS) == 1;
-        free += says(&it.analysis, d, "shadows of point light 0", "nothing stands between");
+        free +=
+            says(&it.analysis, d, "shadows of point light 0", "nothing stands between");
         out += says(&it.analysis, d, "point light 0", "out of range");
     }
     assert_int_equal(looked_up + free + out, it.scene.draw_count);

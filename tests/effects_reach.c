@@ -41,9 +41,9 @@ static struct sb_vec3 on_draw(struct sb_random *random, const struct sb_scene *s
     for (int i = 0; i < 3; i++)
         corner[i] = placed(&scene->draw[draw],
                            mesh->vertex[mesh->index[3 * triangle + i]].position);
-    return sb_vec3_add(sb_vec3_scale(corner[0], 1 - a - b),
-                       sb_vec3_add(sb_vec3_scale(corner[1], a),
-                                   sb_vec3_scale(corner[2], b)));
+    return sb_vec3_add(
+        sb_vec3_scale(corner[0], 1 - a - b),
+        sb_vec3_add(sb_vec3_scale(corner[1], a), sb_vec3_scale(corner[2], b)));
 }
 
 static void boxes_and_spheres_hold_their_draws(void **state)
@@ -57,7 +57,8 @@ static void boxes_and_spheres_hold_their_draws(void **state)
             struct sb_bounds bounds;
             sb_bounds_of(&scene, d, &bounds);
             for (int i = 0; i < 50; i++) {
-                const struct sb_vec3 p = on_draw(&random, &scene, d), from = any(&random, 9);
+                const struct sb_vec3 p = on_draw(&random, &scene, d),
+                                     from = any(&random, 9);
                 const double distance = sb_vec3_length(sb_vec3_sub(p, from));
                 assert_true(sb_vec3_length(sb_vec3_sub(p, bounds.centre)) <=
                             bounds.radius * (1 + 1e-9));
@@ -124,8 +125,8 @@ static void no_point_between_is_missed(void **state)
             // From the light to a point of the receiver: is any of it in the other?
             const struct sb_vec3 to = in_ball(&random, &receiver);
             const double share = sb_random_unit(&random);
-            const struct sb_vec3 p = sb_vec3_add(
-                light, sb_vec3_scale(sb_vec3_sub(to, light), share));
+            const struct sb_vec3 p =
+                sb_vec3_add(light, sb_vec3_scale(sb_vec3_sub(to, light), share));
             assert_true(sb_vec3_length(sb_vec3_sub(p, other.centre)) >= other.radius);
         }
     }

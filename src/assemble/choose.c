@@ -182,15 +182,20 @@ static struct sb_choice_program *add_program(struct sb_choice *choice,
     return program;
 }
 
-static void choose_asked(const struct sb_assemble_params *params,
-                         struct sb_choice *choice)
+static bool choose_asked(const struct sb_assemble_params *params,
+                         struct sb_choice *choice, struct sb_error *err)
 {
     struct sb_calls calls = {0};
     sb_calls_asked(params->axes, params->variant, &calls);
+    choice->program = sb_arena_alloc(&choice->arena, sizeof *choice->program);
     choice->whole = is(params->variant, SB_AXIS_WITHOUT, SB_WITHOUT_NOTHING);
-    if (!choice->whole)
+    if (!choice->whole) {
+        if (!sb_scene_make(params->scene, params->variant, &choice->scene, err))
+            return false;
         take_all_lights(params->variant, choice, &calls);
+    }
     add_program(choice, &calls);
+    return true;
 }
 
 static bool analyse(const struct sb_assemble_params *params,
@@ -267,9 +272,7 @@ bool sb_choose(const struct sb_assemble_params *params, struct sb_choice *choice
     case SB_SPECIALISE_OBJECT:
         return choose_object(params, choice, err);
     default:
-        choice->program = sb_arena_alloc(&choice->arena, sizeof *choice->program);
-        choose_asked(params, choice);
-        return true;
+        return choose_asked(params, choice, err);
     }
 }
 

@@ -177,11 +177,16 @@ bool sb_platform_pair_asked(const struct sb_variant *a, const struct sb_variant 
            b->value[SB_AXIS_SPECIALISE] == SB_SPECIALISE_ASKED;
 }
 
+bool sb_platform_leaves_out(const struct sb_variant *variant)
+{
+    return variant->value[SB_AXIS_WITHOUT] != SB_WITHOUT_NOTHING;
+}
+
 bool sb_platform_held_against(const struct sb_axes *axes, const struct sb_variant *other,
                               const struct sb_variant *variant)
 {
     struct sb_variant twin = *variant;
-    if (variant->value[SB_AXIS_WITHOUT] != SB_WITHOUT_NOTHING) {
+    if (sb_platform_leaves_out(variant)) {
         twin.value[SB_AXIS_WITHOUT] = SB_WITHOUT_NOTHING;
         return sb_variant_equal(axes, other, &twin);
     }
@@ -193,5 +198,5 @@ bool sb_platform_held_against(const struct sb_axes *axes, const struct sb_varian
 bool sb_platform_is_policy(const struct sb_variant *variant)
 {
     return variant->value[SB_AXIS_SPECIALISE] != SB_SPECIALISE_ASKED &&
-           variant->value[SB_AXIS_WITHOUT] == SB_WITHOUT_NOTHING;
+           !sb_platform_leaves_out(variant);
 }

@@ -54,6 +54,9 @@ double sb_platform_left_out(const struct sb_variant *variant);
 // Are the programs of both chosen without looking at the scene (specialise=asked)?
 bool sb_platform_pair_asked(const struct sb_variant *a, const struct sb_variant *b);
 
+// Is an effect left out on purpose (axis `without`), so that lights may well change nothing?
+bool sb_platform_leaves_out(const struct sb_variant *variant);
+
 // Is the time of `variant` held against that of `other`, of the same scene? Of a policy against a
 // program for all scenes that draws the same; of a variant that leaves an effect out on purpose
 // against itself with nothing left out.

@@ -28,6 +28,8 @@ static double windowed(const struct sb_light *light, double d)
 double sb_reach_factor(const struct sb_variant *variant, const struct sb_light *light,
                        double distance)
 {
+    if (is(variant, SB_AXIS_WITHOUT, SB_WITHOUT_ATTENUATION))
+        return 1; // what would end shines everywhere then
     if (is(variant, SB_AXIS_F_ATTENUATION, SB_F_ATTENUATION_NAIVE))
         return INFINITY;
     switch ((int)variant->value[SB_AXIS_ATTENUATION]) {
@@ -134,6 +136,7 @@ static bool is_in_cone(const struct sb_reach_params *params)
     const double cutoff = light->cutoff;
     return params->type != SB_LIGHT_SPOT || cutoff >= (double)(float)SB_PI ||
            is(params->variant, SB_AXIS_F_CONE, SB_F_CONE_NAIVE) ||
+           is(params->variant, SB_AXIS_WITHOUT, SB_WITHOUT_CONE) ||
            sb_bounds_in_cone(params->bounds, vec3(light->position),
                              vec3(light->direction), cutoff + SB_PI / 180);
 }

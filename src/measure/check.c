@@ -189,6 +189,7 @@ void sb_check_lights(struct sb_task *task, const struct sb_prepare_params *param
     struct sb_task twin = {0};
     const bool fixed = task->assembly.lights_fixed;
     if (count == 0 || task->assembly.undefined ||
+        sb_platform_leaves_out(&task->entry->variant) ||
         (fixed && !make_twin(task, params, &twin)))
         return;
     struct sb_task *lit = fixed ? &twin : task;
