@@ -173,7 +173,7 @@ static void print_ablation(const struct sb_axes *axes, const struct sb_row *all,
         sb_table_real(table, "%.2g", whole ? whole->max_err : NAN);
         sb_table_real(table, "%.2g", row[i].flip_mean);
         sb_table_real(table, "%.2g", whole ? whole->flip_mean : NAN);
-        sb_table_real(table, "%.1f %%", 100 * row[i].jnd1_srgb_share);
+        sb_table_real(table, "%.1f %%", 100 * row[i].jnd1_share);
     }
     printf(
         "\nEach effect left out alone: what it costs, and who would see it go. A step is "
