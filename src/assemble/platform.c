@@ -1,4 +1,5 @@
 #include <stdlib.h>
+#include <string.h>
 
 #include "assemble/platform.h"
 
@@ -34,6 +35,17 @@ static void set_driver(int driver)
         setenv("XDG_RUNTIME_DIR", "/tmp", 0); // lavapipe's loader wants one
 }
 
+// Mesa offers program binaries only where its own disk cache is not disabled. Without a folder that
+// cache keeps nothing, which is as good as off. Whoever has switched it on keeps it.
+static void set_binaries(void)
+{
+    const char *off = getenv("MESA_SHADER_CACHE_DISABLE");
+    if (off && off[0] && strchr("0nNfF", off[0]))
+        return;
+    setenv("MESA_SHADER_CACHE_DISABLE", "false", 1);
+    setenv("MESA_SHADER_CACHE_DIR", "/dev/null", 1);
+}
+
 static bool check_equal(const struct sb_suite *suite, struct sb_error *err)
 {
     const struct sb_variant *first = &suite->entry[0].variant;
@@ -62,6 +74,8 @@ bool sb_platform_apply(const struct sb_suite *suite, struct sb_context_params *p
         char number[32];
         setenv("LP_NUM_THREADS", sb_number_text(value[SB_AXIS_THREADS], number), 1);
     }
+    if (params->program_cache)
+        set_binaries();
     // A compile time that a disk cache answered is not one; whoever wants it can say so.
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
     setenv("__GL_SHADER_DISK_CACHE", "0", 0);

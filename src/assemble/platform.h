@@ -5,9 +5,9 @@
 #include "job/job.h"
 #include "suite/suite.h"
 
-// Fills *params and sets the environment variables that the driver and thread axes stand for
-// (they must be set before a driver is loaded; what the user has set stays). SB_BAD_INPUT
-// where two entries differ.
+// Fills context and API of *params and sets the environment variables that the driver and thread
+// axes and params->program_cache stand for (they must be set before a driver is loaded; what the
+// user has set stays). SB_BAD_INPUT where two entries differ.
 bool sb_platform_apply(const struct sb_suite *suite, struct sb_context_params *params,
                        struct sb_error *err);
 

@@ -137,7 +137,10 @@ static bool parse_device(const char *text, int *device, struct sb_error *err)
 bool sb_cli_driver_params(const struct sb_options *options, const struct sb_suite *suite,
                           struct sb_driver_params *params, struct sb_error *err)
 {
-    *params = (struct sb_driver_params){.timer = options->timer};
+    *params = (struct sb_driver_params){
+        .timer = options->timer,
+        .context.program_cache = options->program_cache,
+    };
     if (!sb_platform_apply(suite, &params->context, err) ||
         !parse_device(options->device, &params->context.device, err))
         return false;

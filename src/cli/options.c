@@ -46,6 +46,7 @@ static const struct option options_table[] = {
     {"payback",  0,   NULL,         RUN,              FLAG,       AT(payback),  "policies: draw, too, the frames after which each has paid for its programs"},
     {"ablate",   0,   NULL,         RUN,              FLAG,       AT(ablate),   "leave out each effect of each variant alone: what it costs, and who would see it go"},
     {"dump",     0,   "DIR",        RUN,              TEXT,       AT(dump),     "write the float picture, ids and scene of each variant (docs/formats.md)"},
+    {"program-cache", 0, "DIR",    RUN,              TEXT,       AT(program_cache), "keep program binaries there and load them: compile times are then not those of a compiler"},
     {"classes",  0,   NULL,         VERIFY,           FLAG,       AT(classes),  "not cases: compare the pictures of each equivalence class"},
     {"form",     0,   "NAME,…",     VERIFY,           TEXT,       AT(form),     "cases: naive, robust; default: both"},
     {"precision",0,   "NAME,…",     VERIFY,           TEXT,       AT(precision),"cases: highp, mediump, fp16, fixed10; default: highp, fixed10 and mediump, or fp16 where mediump is not half precision here"},

@@ -16,7 +16,7 @@ struct sb_assignments {
 // Parsed options; zero where not given.
 struct sb_options {
     const char *data, *shaders, *preset, *scene, *output, *resume, *timer, *device, *dump,
-        *pixel, *form, *precision, *search, *seed, *ms;
+        *pixel, *form, *precision, *search, *seed, *ms, *program_cache;
     bool json, quiet, verbose, help, images, validate, classes, pareto, terms, all,
         breaking, time, payback, ablate, policies, ablation, effects;
     struct sb_assignments set, sweep, cross, setting;

@@ -40,9 +40,15 @@ static bool check_resume(const struct sb_options *now, struct sb_error *err)
     const struct {
         const char *name, *value;
     } texts[] = {
-        {"--scene", now->scene}, {"--preset", now->preset},   {"--output", now->output},
-        {"--timer", now->timer}, {"--device", now->device},   {"--shaders", now->shaders},
-        {"--dump", now->dump},   {"the suite", now->word[0]},
+        {"--scene", now->scene},
+        {"--preset", now->preset},
+        {"--output", now->output},
+        {"--timer", now->timer},
+        {"--device", now->device},
+        {"--shaders", now->shaders},
+        {"--dump", now->dump},
+        {"the suite", now->word[0]},
+        {"--program-cache", now->program_cache},
     };
     const char *what = now->images ? "--images" : NULL, *value = "";
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)

@@ -15,7 +15,7 @@ static bool assemble(const struct sb_options *options, const char *data,
                      struct sb_assembly *assembly, struct sb_error *err)
 {
     struct sb_caps caps;
-    struct sb_context_params context;
+    struct sb_context_params context = {0};
     if (!sb_platform_apply(suite, &context, err))
         return false;
     sb_caps_ideal(context.gles, &caps);

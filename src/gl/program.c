@@ -42,21 +42,37 @@ static GLuint compile(GLenum kind, const char *source, enum sb_failed_stage stag
     return 0;
 }
 
-static uint64_t hash_binary(GLuint name)
+const char *const sb_gl_attributes[SB_GL_ATTRIBUTES] = {"a_position", "a_normal", "a_uv",
+                                                        "a_tangent"};
+
+unsigned char *sb_gl_program_binary(GLuint name, GLenum *format, size_t *size)
 {
-    GLint formats = 0, size = 0;
+    GLint formats = 0, room = 0;
+    if (!glGetProgramBinary)
+        return NULL;
     glGetIntegerv(GL_NUM_PROGRAM_BINARY_FORMATS, &formats);
     if (formats > 0)
-        glGetProgramiv(name, GL_PROGRAM_BINARY_LENGTH, &size);
-    if (size <= 0)
-        return 0;
-    unsigned char *binary = sb_alloc((size_t)size);
-    GLenum format = 0;
+        glGetProgramiv(name, GL_PROGRAM_BINARY_LENGTH, &room);
+    if (room <= 0)
+        return NULL;
+    unsigned char *binary = sb_alloc((size_t)room);
     GLsizei length = 0;
-    glGetProgramBinary(name, size, &length, &format, binary);
-    const uint64_t hash = sb_hash(SB_HASH_START, binary, (size_t)length);
+    glGetProgramBinary(name, room, &length, format, binary);
+    *size = (size_t)length;
+    if (length > 0)
+        return binary;
     free(binary);
-    return length > 0 ? hash : 0;
+    return NULL;
+}
+
+static uint64_t hash_binary(GLuint name)
+{
+    GLenum format = 0;
+    size_t size = 0;
+    unsigned char *binary = sb_gl_program_binary(name, &format, &size);
+    const uint64_t hash = binary ? sb_hash(SB_HASH_START, binary, size) : 0;
+    free(binary);
+    return hash;
 }
 
 struct captured { // by transform feedback
@@ -67,15 +83,13 @@ struct captured { // by transform feedback
 static bool link_program(const GLuint *shader, int count, const struct captured *captured,
                          struct sb_gl_program *program)
 {
-    static const char *const attributes[] = {"a_position", "a_normal", "a_uv",
-                                             "a_tangent"};
     const int64_t start = sb_clock_ns();
     const GLuint name = glCreateProgram();
     GLint done = GL_FALSE;
     for (int i = 0; i < count; i++)
         glAttachShader(name, shader[i]);
-    for (GLuint i = 0; i < sizeof attributes / sizeof *attributes; i++)
-        glBindAttribLocation(name, i, attributes[i]);
+    for (GLuint i = 0; i < SB_GL_ATTRIBUTES; i++)
+        glBindAttribLocation(name, i, sb_gl_attributes[i]);
     if (captured->count > 0)
         glTransformFeedbackVaryings(name, captured->count, captured->varying,
                                     GL_INTERLEAVED_ATTRIBS);
@@ -93,7 +107,7 @@ static bool link_program(const GLuint *shader, int count, const struct captured 
     for (int i = 0; i < count; i++)
         glDetachShader(name, shader[i]);
     program->name = name;
-    program->binary_hash = glGetProgramBinary ? hash_binary(name) : 0;
+    program->binary_hash = hash_binary(name);
     return true;
 }
 

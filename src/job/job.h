@@ -18,6 +18,8 @@ struct sb_context_params {
     const char *context; // "egl", "osmesa", "glfw", "null"; "auto": the first that opens
     bool gles;           // OpenGL ES; else desktop OpenGL, core profile
     int device;          // EGL device number; -1: the default display
+    // Folder of program binaries, read on open; NULL: none, each job compiles for itself.
+    const char *program_cache;
 };
 
 // What a driver has. A limit of 0: it has none of that kind. One list, caps.def.
@@ -86,13 +88,14 @@ struct sb_prepared {
     } failed_stage;
     char *log; // … and the driver's words; malloc'd, the caller frees
     double compile_ms, link_ms,
-        first_draw_ms; // first draw: in the exact measured state, drained
-    int64_t vertices;  // per frame, all draws and layers
-    int64_t fragments; // covered pixels of the id target, times layers
-    int64_t gl_calls;  // per frame
-    int programs;      // that light
-    int switches;      // of these in a frame: runs of draws of one program, less 1
-    int casters;       // point lights that have a shadow map: what SB_IMAGE_SHADOW shows
+        first_draw_ms;   // first draw: in the exact measured state, drained
+    int64_t vertices;    // per frame, all draws and layers
+    int64_t fragments;   // covered pixels of the id target, times layers
+    int64_t gl_calls;    // per frame
+    int programs;        // that light
+    int switches;        // of these in a frame: runs of draws of one program, less 1
+    int programs_cached; // of all programs of the job, that came from the program cache
+    int casters; // point lights that have a shadow map: what SB_IMAGE_SHADOW shows
     bool
         draws_shadows; // a frame draws the shadow maps again, so that SB_PART_SHADOWS is a
                        // part of it

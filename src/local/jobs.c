@@ -172,6 +172,7 @@ bool sb_local_prepare(void *self, const struct sb_job *request,
 
     struct sb_local_job *job = sb_alloc(sizeof *job);
     job->id = request->id;
+    job->cache = local->cache;
     job->variant = request->variant;
     job->shape = sb_shape_of(&request->variant);
     job->scene = sb_pool_scene_get(&local->pool, request->scene, &request->variant, err);

@@ -19,6 +19,7 @@ static void close_runner(void *self)
     sb_gl_program_free(&local->blank_program);
     sb_target_free(&local->probe_target);
     sb_target_free(&local->rows_target);
+    sb_gl_program_cache_close(local->cache);
     glDeleteVertexArrays(1, &local->no_vertices);
     local->context->close(local->window);
     free(local);
@@ -40,6 +41,8 @@ static void *open_runner(const struct sb_context_params *params, struct sb_caps 
         close_runner(local);
         return NULL;
     }
+    if (params->program_cache)
+        local->cache = sb_gl_program_cache_open(params->program_cache, &local->caps);
     *caps = local->caps;
     return local;
 

@@ -79,7 +79,8 @@ bool sb_local_compile(struct sb_local_job *job, const struct sb_job *request,
         struct sb_gl_program *program = role == SB_LOCAL_SHADE
                                             ? sb_local_lit_next(&job->lit, request, i)
                                             : &job->program[role];
-        const bool ok = sb_gl_program_make(source, program);
+        const bool ok = sb_gl_program_cached(job->cache, source, program);
+        result->programs_cached += program->cached;
         result->compile_ms += program->compile_ms;
         result->link_ms += program->link_ms;
         if (!ok)

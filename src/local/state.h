@@ -3,6 +3,7 @@
 #pragma once
 
 #include "context/context.h"
+#include "gl/program_cache.h"
 #include "gl/timer.h"
 #include "local/local.h"
 #include "render/render.h"
@@ -71,6 +72,7 @@ struct sb_local_lit {
 struct sb_local_job {
     struct sb_local_job *next;
     uint32_t id;
+    struct sb_gl_program_cache *cache; // the runner's; NULL: none
     struct sb_variant variant;
     struct sb_shape shape;
     struct sb_shared_scene *scene;                     // NULL with a program "rows"
@@ -87,7 +89,8 @@ struct sb_local_job {
 
 struct sb_local {
     const struct sb_context_fns *context;
-    void *window; // the context's own state
+    void *window;                      // the context's own state
+    struct sb_gl_program_cache *cache; // NULL: none
     struct sb_caps caps;
     struct sb_gl_program id_program;
     // Made when first asked for; name 0, or no framebuffer: not yet.

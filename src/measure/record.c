@@ -149,6 +149,9 @@ json_t *sb_record_make(const struct sb_record_params *params, const json_t *earl
     json_object_set_new(run, "suite", json_string(suite->name));
     json_object_set_new(run, "about", json_string(suite->about ? suite->about : ""));
     json_object_set_new(run, "arguments", json_deep_copy(params->arguments));
+    json_object_set_new(run, "program_cache",
+                        params->program_cache ? json_string(params->program_cache)
+                                              : json_null());
     json_object_set_new(run, "measure", settings_json(&suite->measure));
     json_object_set_new(run, "caps", sb_caps_json(&params->driver->caps));
     json_object_set_new(run, "precision", sb_precision_json(params->driver));

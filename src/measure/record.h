@@ -10,10 +10,11 @@ struct sb_record_params {
     const struct sb_driver *driver;
     const struct sb_task *task;
     int task_count;
-    const json_t *arguments; // of the command line, as an array; borrowed
-    int process;             // this one
-    const char *started;     // when this one began, UTC
-    bool complete;           // this one measured all that it set out to
+    const json_t *arguments;   // of the command line, as an array; borrowed
+    int process;               // this one
+    const char *started;       // when this one began, UTC
+    bool complete;             // this one measured all that it set out to
+    const char *program_cache; // its folder; NULL: none
 };
 
 // Extends the run.json of earlier processes (NULL: none). New reference.

@@ -60,6 +60,7 @@ static bool write_files(struct sb_run_state *run, bool complete, struct sb_error
         .process = run->earlier.process,
         .started = run->started,
         .complete = complete,
+        .program_cache = run->params->driver.context.program_cache,
     };
     summarise(run);
     json_t *record = sb_record_make(&params, run->earlier.run);

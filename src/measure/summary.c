@@ -225,6 +225,7 @@ static void fill_work(const struct sb_task *task, struct sb_row *row,
     row->fragments = prepared->fragments;
     row->programs = prepared->programs;
     row->switches = prepared->switches;
+    row->programs_cached = prepared->programs_cached;
     row->compile_ms = prepared->compile_ms;
     row->link_ms = prepared->link_ms;
     row->first_draw_ms = prepared->first_draw_ms;
