@@ -12,7 +12,8 @@ struct sb_plan {
     double weight; // of all
     struct sb_plan_program *program;
     int program_count, program_capacity;
-    double *cost; // [program][demand]
+    double *cost;    // [program][demand]
+    double unserved; // more than any choice saves
 };
 
 bool sb_plan_serves(const struct sb_plan_program *program, const struct sb_demand *demand)
@@ -110,6 +111,10 @@ struct sb_plan *sb_plan_new(const struct sb_plan_params *params)
                 sb_plan_serves(&plan->program[p], &plan->demand[d])
                     ? params->cost(params->user, &plan->program[p], &plan->demand[d])
                     : INFINITY;
+    plan->unserved = 1;
+    for (int i = 0; i < plan->program_count * plan->demand_count; i++)
+        if (isfinite(plan->cost[i]))
+            plan->unserved = fmax(plan->unserved, 1000 * plan->cost[i]);
     return plan;
 }
 
@@ -152,16 +157,22 @@ int sb_plan_server(const struct sb_plan *plan, const int *chosen, int count, int
     return server;
 }
 
-double sb_plan_ms(const struct sb_plan *plan, const int *chosen, int count)
+// A demand that none serves costs `unserved`.
+static double mean_ms(const struct sb_plan *plan, const int *chosen, int count,
+                      double unserved)
 {
     double sum = 0;
     for (int d = 0; d < plan->demand_count; d++) {
         const int server = sb_plan_server(plan, chosen, count, d);
-        if (server < 0)
-            return INFINITY;
-        sum += plan->demand[d].weight * cost_of(plan, server, d);
+        sum +=
+            plan->demand[d].weight * (server < 0 ? unserved : cost_of(plan, server, d));
     }
     return sum / plan->weight;
+}
+
+double sb_plan_ms(const struct sb_plan *plan, const int *chosen, int count)
+{
+    return mean_ms(plan, chosen, count, INFINITY);
 }
 
 // --- greedy, then exchange -------------------------------------------------------------------
@@ -174,6 +185,13 @@ static bool is_chosen(const int *chosen, int count, int program)
     return false;
 }
 
+// While programs are looked for, a demand that none serves yet is dear, not impossible: so each one
+// that comes to be served counts.
+static double so_far(const struct sb_plan *plan, const int *chosen, int count)
+{
+    return mean_ms(plan, chosen, count, plan->unserved);
+}
+
 // Puts the best candidate in chosen[place]; returns whether the mean falls below *ms.
 static bool improve_place(const struct sb_plan *plan, int *chosen, int count, int place,
                           double *ms)
@@ -183,10 +201,9 @@ static bool improve_place(const struct sb_plan *plan, int *chosen, int count, in
     for (int p = 0; p < plan->program_count; p++) {
         if (is_chosen(chosen, count, p))
             continue;
-        const int kept = chosen[place];
         chosen[place] = p;
-        const double with = sb_plan_ms(plan, chosen, count);
-        chosen[place] = kept;
+        const double with = so_far(plan, chosen, count);
+        chosen[place] = before;
         // Better by more than rounding, or it would go round in circles.
         if (with < *ms * (1 - 1e-12)) {
             *ms = with;
@@ -197,47 +214,56 @@ static bool improve_place(const struct sb_plan *plan, int *chosen, int count, in
     return best != before;
 }
 
-static int ascending(const void *a, const void *b)
+// One after another, each the best beside those before it; the first is given.
+static double add_greedily(const struct sb_plan *plan, int programs, int *chosen)
 {
-    return *(const int *)a - *(const int *)b;
-}
-
-// The first is one that serves all: there is one of the largest demand.
-static int first_choice(const struct sb_plan *plan)
-{
-    int best = 0;
-    double least = INFINITY;
-    for (int p = 0; p < plan->program_count; p++) {
-        const double ms = sb_plan_ms(plan, &p, 1);
-        if (ms < least) {
-            least = ms;
-            best = p;
-        }
-    }
-    return best;
-}
-
-double sb_plan_choose(const struct sb_plan *plan, int programs, int *chosen)
-{
-    double ms = INFINITY;
-    chosen[0] = first_choice(plan);
-    ms = sb_plan_ms(plan, chosen, 1);
+    double ms = so_far(plan, chosen, 1);
     for (int k = 1; k < programs; k++) {
         // Any that is not chosen yet, then the best in its place.
         int any = 0;
         while (is_chosen(chosen, k, any))
             any++;
         chosen[k] = any;
-        ms = sb_plan_ms(plan, chosen, k + 1);
+        ms = so_far(plan, chosen, k + 1);
         improve_place(plan, chosen, k + 1, k, &ms);
     }
+    return ms;
+}
+
+static double exchange(const struct sb_plan *plan, int programs, int *chosen, double ms)
+{
     for (bool better = true; better;) {
         better = false;
         for (int i = 0; i < programs; i++)
             better |= improve_place(plan, chosen, programs, i, &ms);
     }
-    qsort(chosen, (size_t)programs, sizeof *chosen, ascending);
     return ms;
+}
+
+static int ascending(const void *a, const void *b)
+{
+    return *(const int *)a - *(const int *)b;
+}
+
+// Where exchange ends depends on where it starts: from every candidate, or of many from some.
+double sb_plan_choose(const struct sb_plan *plan, int programs, int *chosen)
+{
+    enum { STARTS = 100 };
+    const int step = 1 + (plan->program_count - 1) / STARTS;
+    int *tried = sb_alloc((size_t)programs * sizeof *tried);
+    double least = INFINITY;
+    for (int first = 0; first < plan->program_count; first += step) {
+        tried[0] = first;
+        const double ms =
+            exchange(plan, programs, tried, add_greedily(plan, programs, tried));
+        if (ms < least * (1 - 1e-12)) {
+            least = ms;
+            memcpy(chosen, tried, (size_t)programs * sizeof *chosen);
+        }
+    }
+    free(tried);
+    qsort(chosen, (size_t)programs, sizeof *chosen, ascending);
+    return sb_plan_ms(plan, chosen, programs);
 }
 
 // --- all choices -----------------------------------------------------------------------------

@@ -4,7 +4,7 @@
 // serves those that it has room for, at a cost. Of the candidates those K are looked for that make
 // the weighted mean of the cheapest cost least: greedy addition (Cornuejols, Fisher and Nemhauser,
 // Management Science 23(8), 1977), then exchange of one for another until no exchange helps (Teitz and
-// Bart, Operations Research 16(5), 1968).
+// Bart, Operations Research 16(5), 1968), starting from many a program.
 #pragma once
 
 #include <stdbool.h>

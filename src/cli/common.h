@@ -14,6 +14,7 @@ int sb_cmd_explain(const struct sb_options *options, int argc, char **argv);
 int sb_cmd_verify(const struct sb_options *options, int argc, char **argv);
 int sb_cmd_compare(const struct sb_options *options, int argc, char **argv);
 int sb_cmd_fit(const struct sb_options *options, int argc, char **argv);
+int sb_cmd_plan(const struct sb_options *options, int argc, char **argv);
 int sb_cmd_run(const struct sb_options *options, int argc, char **argv);
 
 // Prints the error and returns its exit code.

@@ -26,6 +26,8 @@ const struct sb_command sb_commands[] = {
      "Asks the formulas of the shaders, naive and robust, at inputs at which lighting goes wrong, and\nholds what comes back against double precision. CASE is a case or a family (shadebench list\ncases); without one, all. Exit code 1: a robust form does not hold, or the search has found\nsomething.\nWith --classes: draws every variant of SUITE (classes, where none is given) and compares it\nwith the first of its equivalence class: same scene, equal on all but implementation axes. Exit\ncode 3: two pictures differ that must not, or a variant cannot be drawn.", 16, sb_cmd_verify},
     {"explain", "VARIANT --pixel X,Y", "everything that was computed on the way to one pixel",
      "Prints at full precision what the driver interpolated there, the material and the lights as\nuploaded, and each term of each light: in double from the same inputs, as the driver had\nit, and how many units in the last place they are apart. VARIANT is an id, as tables and\nsummary.csv print it.", 64, sb_cmd_explain},
+    {"plan", "[SUITE...] --costs RESULTS", "which few programs serve many light counts best",
+     "Demands are the light counts of the entries of each SUITE, or lines of --demands. Costs come\nfrom a run; nothing is measured, no driver is opened, and nothing beyond what was measured\nis made up (docs/plan.md).", 256, sb_cmd_plan},
 };
 // clang-format on
 const int sb_command_count = sizeof sb_commands / sizeof *sb_commands;

@@ -15,10 +15,11 @@ enum {
     COMPARE = 32,
     EXPLAIN = 64,
     FIT = 128,
-    ALL = 255
+    PLANNER = 256,
+    ALL = 511
 };
-enum { PLAN = RUN | SHOW | VERIFY | EXPLAIN }; // commands that take variants
-enum { OFFLINE = LIST | COMPARE | FIT };       // those that are of no platform
+enum { PLAN = RUN | SHOW | VERIFY | EXPLAIN };     // commands that take variants
+enum { OFFLINE = LIST | COMPARE | FIT | PLANNER }; // those that are of no platform
 
 enum option_type { FLAG, TEXT, ASSIGNMENT };
 
@@ -60,6 +61,10 @@ static const struct option options_table[] = {
     {"policies", 0,   NULL,         COMPARE,          FLAG,       AT(policies), "what each policy (axis specialise) saves against the program for all scenes"},
     {"ablation", 0,   NULL,         COMPARE,          FLAG,       AT(ablation), "what each effect costs, and who would see it go, from a run --ablate"},
     {"ms",       0,   "N,…",        FIT,              TEXT,       AT(ms),       "frame times in which lights are to fit; default: powers of two among those measured"},
+    {"programs", 0,   "K",          PLANNER,          TEXT,       AT(programs), "so many programs at most [8]"},
+    {"demands",  0,   "FILE",       PLANNER,          TEXT,       AT(demands),  "CSV of demands: dir,point,spot,area,weight"},
+    {"costs",    0,   "RESULTS",    PLANNER,          TEXT,       AT(costs),    "a run with light counts in several loops: shadebench run plan"},
+    {"exhaustive",0,  NULL,         PLANNER,          FLAG,       AT(exhaustive),"try all choices, too, where they are few enough"},
     {"validate", 0,   NULL,         SHOW,             FLAG,       AT(validate), "check the sources with glslangValidator"},
     {"effects",  0,   NULL,         SHOW,             FLAG,       AT(effects),  "not sources: what each draw of the scene calls for, and why the rest is left out"},
     {"timer",    0,   "NAME",       RUN|PROBE|VERIFY, TEXT,       AT(timer),    "timer source to use, if its audit allows; default: auto"},

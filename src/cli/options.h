@@ -16,9 +16,10 @@ struct sb_assignments {
 // Parsed options; zero where not given.
 struct sb_options {
     const char *data, *shaders, *preset, *scene, *output, *resume, *timer, *device, *dump,
-        *pixel, *form, *precision, *search, *seed, *ms, *program_cache;
+        *pixel, *form, *precision, *search, *seed, *programs, *demands, *costs, *ms,
+        *program_cache;
     bool json, quiet, verbose, help, images, validate, classes, pareto, terms, all,
-        breaking, time, payback, ablate, policies, ablation, effects;
+        breaking, time, payback, ablate, policies, ablation, effects, exhaustive;
     struct sb_assignments set, sweep, cross, setting;
     const char *word[SB_WORDS_MAX]; // what is no option
     int word_count;
