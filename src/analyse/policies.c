@@ -45,18 +45,22 @@ static bool same_text(const char *a, const char *b)
     return a && b && strcmp(a, b) == 0;
 }
 
+struct member { // of a policy: a row, and the one that it is held against
+    const struct sb_row *own, *uber;
+};
+
 // Of the programs that the rows of one policy are held against. Equal ones are made once: the time
 // of the row that took longest, since it may have made shadow maps or lamps besides.
-static double uber_setup(const struct sb_row *const *uber, int count)
+static double uber_setup(const struct member *member, int count)
 {
     double sum = 0;
     for (int i = 0; i < count; i++) {
         double longest = 0;
         bool first = true;
         for (int j = 0; j < count; j++)
-            if (same_text(uber[i]->lit_hash, uber[j]->lit_hash)) {
+            if (same_text(member[i].uber->lit_hash, member[j].uber->lit_hash)) {
                 first &= j >= i;
-                longest = fmax(longest, sb_row_setup_ms(uber[j]));
+                longest = fmax(longest, sb_row_setup_ms(member[j].uber));
             }
         if (first)
             sum += longest;
@@ -64,21 +68,21 @@ static double uber_setup(const struct sb_row *const *uber, int count)
     return sum;
 }
 
-static void add_up(const struct sb_row *const *row, const struct sb_row *const *uber,
-                   int count, struct sb_policy_total *total)
+static void add_up(const struct member *member, int count, struct sb_policy_total *total)
 {
     double log_ratio = 0;
     bool itself = true;
-    *total = (struct sb_policy_total){.first = row[0], .rows = count};
+    *total = (struct sb_policy_total){.first = member->own, .rows = count};
     for (int i = 0; i < count; i++) {
-        if (row[i]->programs != SB_NO_COUNT)
-            total->programs += (int)row[i]->programs;
-        total->setup_ms += sb_row_setup_ms(row[i]);
-        total->saved_ms += uber[i]->median_ms * (1 - row[i]->against_ratio) / count;
-        log_ratio += log(row[i]->against_ratio) / count;
-        itself &= row[i] == uber[i];
+        const struct sb_row *own = member[i].own, *uber = member[i].uber;
+        if (own->programs != SB_NO_COUNT)
+            total->programs += (int)own->programs;
+        total->setup_ms += sb_row_setup_ms(own);
+        total->saved_ms += uber->median_ms * (1 - own->against_ratio) / count;
+        log_ratio += log(own->against_ratio) / count;
+        itself &= own == uber;
     }
-    total->uber_setup_ms = uber_setup(uber, count);
+    total->uber_setup_ms = uber_setup(member, count);
     total->ratio = exp(log_ratio);
     total->payback_frames =
         itself
@@ -91,8 +95,7 @@ int sb_policy_totals(const struct sb_axes *axes, const struct sb_row *row, int c
                      struct sb_policy_total *total)
 {
     const size_t room = (size_t)count + 1;
-    const struct sb_row **own = sb_alloc(room * sizeof *own);
-    const struct sb_row **uber = sb_alloc(room * sizeof *uber);
+    struct member *member = sb_alloc(room * sizeof *member);
     bool *taken = sb_alloc(room * sizeof *taken);
     int totals = 0;
     for (int i = 0; i < count; i++) {
@@ -103,14 +106,12 @@ int sb_policy_totals(const struct sb_axes *axes, const struct sb_row *row, int c
                 !is_policy(row[j].axes) || !same_policy(axes, &row[i], &row[j]))
                 continue;
             taken[j] = true;
-            own[members] = &row[j];
-            uber[members++] = other;
+            member[members++] = (struct member){&row[j], other};
         }
         if (members > 0)
-            add_up(own, uber, members, &total[totals++]);
+            add_up(member, members, &total[totals++]);
     }
     free(taken);
-    free(uber);
-    free(own);
+    free(member);
     return totals;
 }
