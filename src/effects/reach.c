@@ -122,6 +122,33 @@ static bool is_off(const struct sb_light *light)
     return light->intensity <= 0 || black;
 }
 
+// --- rounding --------------------------------------------------------------------------------
+
+static double largest_coordinate(struct sb_vec3 a)
+{
+    return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
+}
+
+// How far positions may be off as the shader has them, from the precision of positions and the
+// largest coordinate: a few of its last places.
+static double rounding(const struct sb_reach_params *params)
+{
+    const struct sb_bounds *bounds = params->bounds;
+    const double place = params->type == SB_LIGHT_DIR
+                             ? 0
+                             : largest_coordinate(vec3(params->light->position));
+    const double largest =
+        place + largest_coordinate(bounds->low) + largest_coordinate(bounds->high);
+    switch ((int)params->variant->value[SB_AXIS_P_POSITION]) {
+    case SB_P_POSITION_HIGHP:
+        return ldexp(largest, -21);
+    case SB_P_POSITION_MEDIUMP:
+        return ldexp(largest, -8);
+    default:
+        return INFINITY; // lowp may hold no position at all
+    }
+}
+
 // --- both ------------------------------------------------------------------------------------
 
 static void set_none(struct sb_reach *reach, enum sb_reach_why why)
@@ -134,11 +161,13 @@ static bool is_in_cone(const struct sb_reach_params *params)
 {
     const struct sb_light *light = params->light;
     const double cutoff = light->cutoff;
+    struct sb_bounds bounds = *params->bounds;
+    bounds.radius += rounding(params);
     return params->type != SB_LIGHT_SPOT || cutoff >= (double)(float)SB_PI ||
            is(params->variant, SB_AXIS_F_CONE, SB_F_CONE_NAIVE) ||
            is(params->variant, SB_AXIS_WITHOUT, SB_WITHOUT_CONE) ||
-           sb_bounds_in_cone(params->bounds, vec3(light->position),
-                             vec3(light->direction), cutoff + SB_PI / 180);
+           sb_bounds_in_cone(&bounds, vec3(light->position), vec3(light->direction),
+                             cutoff + SB_PI / 180);
 }
 
 static double factor_of(const struct sb_reach_params *params, struct sb_reach *reach)
@@ -148,7 +177,8 @@ static double factor_of(const struct sb_reach_params *params, struct sb_reach *r
     reach->distance = sb_bounds_distance(params->bounds, vec3(params->light->position));
     if (params->type == SB_LIGHT_AREA)
         reach->distance = fmax(reach->distance - extent_of(params), 0);
-    return sb_reach_factor(params->variant, params->light, 0.99 * reach->distance);
+    return sb_reach_factor(params->variant, params->light,
+                           fmax(0.99 * reach->distance - rounding(params), 0));
 }
 
 void sb_reach_of(const struct sb_reach_params *params, struct sb_reach *reach)

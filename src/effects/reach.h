@@ -28,7 +28,8 @@ struct sb_reach {
 };
 
 // Conservative, by every law (docs/effects.md has the bounds). Distances are taken 1 % shorter and
-// cones 1 degree wider than they are, so that no precision of a shader finds light beyond. Naive
+// cones 1 degree wider than they are, and both by what rounding does to positions, so that no precision
+// of a shader finds light beyond. Naive
 // forms of attenuation and cone bound nothing.
 void sb_reach_of(const struct sb_reach_params *params, struct sb_reach *reach);
 
