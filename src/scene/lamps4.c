@@ -1,24 +1,6 @@
 // Four lamps over a few things.
 #include "scene/make.h"
 
-static const struct sb_material material[] = {
-    {{0.35f, 0.36f, 0.33f}, {0.35f, 0.36f, 0.33f}, {0.05f, 0.05f, 0.05f}, 8, 0},
-    {{0.6f, 0.2f, 0.15f}, {0.6f, 0.2f, 0.15f}, {0.4f, 0.4f, 0.4f}, 32, 0},
-    {{0.2f, 0.3f, 0.65f}, {0.2f, 0.3f, 0.65f}, {0.5f, 0.5f, 0.5f}, 48, 0},
-    {{0.7f, 0.6f, 0.4f}, {0.7f, 0.6f, 0.4f}, {0.2f, 0.2f, 0.2f}, 16, 0},
-    {{0.4f, 0.4f, 0.42f}, {0.4f, 0.4f, 0.42f}, {0.8f, 0.8f, 0.8f}, 96, 0},
-};
-
-// x, z, size, turn, ball, material
-static const struct sb_yard_object object[] = {
-    {-3.6, -2.4, 1.4, 20, false, 1}, {-1.5, -3.2, 1, 0, true, 2},
-    {1.2, -3, 1.2, 50, false, 3},    {3.5, -2.2, 1.3, 0, true, 4},
-    {-2.6, 0.2, 1, 70, false, 2},    {-0.2, -0.6, 0.9, 0, true, 1},
-    {2.3, 0.1, 1.1, 35, false, 4},   {4.3, 1.2, 0.8, 0, true, 3},
-    {-4.2, 2.2, 0.8, 10, false, 3},  {-1.4, 2.6, 0.7, 0, true, 4},
-    {1, 2.9, 0.8, 60, false, 1},     {3, 3.2, 0.6, 0, true, 2},
-};
-
 // The four lamps first, at the corners of a square.
 static struct sb_light_params point_light(int i)
 {
@@ -30,17 +12,7 @@ static struct sb_light_params point_light(int i)
 
 void sb_scene_lamps4(struct sb_scene *scene, const struct sb_variant *variant)
 {
-    static const struct sb_yard yard = {
-        .side = 14,
-        .tiles = 1,
-        .object = object,
-        .object_count = sizeof object / sizeof *object,
-        .material = material,
-        .material_count = sizeof material / sizeof *material,
-        .triangles = 1200,
-        .ambient = 0.1,
-        .camera = SB_YARD_CAMERA,
-        .light = {sb_yard_dir, point_light, sb_yard_spot, sb_yard_area},
-    };
+    struct sb_yard yard = sb_yard_common;
+    yard.light[SB_LIGHT_POINT] = point_light;
     sb_yard_make(scene, &yard, variant);
 }

@@ -1,14 +1,6 @@
 // A field of tiles under 64 lamps of short reach: each tile and each thing is reached by a few.
 #include "scene/make.h"
 
-static const struct sb_material material[] = {
-    {{0.35f, 0.36f, 0.33f}, {0.35f, 0.36f, 0.33f}, {0.05f, 0.05f, 0.05f}, 8, 0},
-    {{0.6f, 0.2f, 0.15f}, {0.6f, 0.2f, 0.15f}, {0.4f, 0.4f, 0.4f}, 32, 0},
-    {{0.2f, 0.3f, 0.65f}, {0.2f, 0.3f, 0.65f}, {0.5f, 0.5f, 0.5f}, 48, 0},
-    {{0.7f, 0.6f, 0.4f}, {0.7f, 0.6f, 0.4f}, {0.2f, 0.2f, 0.2f}, 16, 0},
-    {{0.4f, 0.4f, 0.42f}, {0.4f, 0.4f, 0.42f}, {0.8f, 0.8f, 0.8f}, 96, 0},
-};
-
 // x, z, size, turn, ball, material
 static const struct sb_yard_object object[] = {
     {-4.4, -5.1, 0.5, 0, false, 1},  {-1.2, -5.1, 0.6, 31, true, 2},
@@ -45,21 +37,16 @@ static struct sb_light_params short_light(int i)
 
 void sb_scene_lamps64(struct sb_scene *scene, const struct sb_variant *variant)
 {
-    static const struct sb_yard yard = {
-        .side = 12.8,
-        .tiles = 8,
-        .object = object,
-        .object_count = sizeof object / sizeof *object,
-        .material = material,
-        .material_count = sizeof material / sizeof *material,
-        .triangles = 2400,
-        .ambient = 0.05,
-        .camera = {.eye = {0, 11, 9},
-                   .target = {0, 0, 0.4},
-                   .fov = 60 * SB_DEGREE,
-                   .near = 0.1,
-                   .far = 100},
-        .light = {sb_yard_dir, short_light, sb_yard_spot, sb_yard_area},
-    };
+    struct sb_yard yard = sb_yard_common;
+    yard.object = object;
+    yard.object_count = sizeof object / sizeof *object;
+    yard.side = 12.8;
+    yard.tiles = 8;
+    yard.triangles = 2400;
+    yard.ambient = 0.05;
+    yard.camera.eye = (struct sb_vec3){0, 11, 9};
+    yard.camera.target = (struct sb_vec3){0, 0, 0.4};
+    yard.camera.fov = 60 * SB_DEGREE;
+    yard.light[SB_LIGHT_POINT] = short_light;
     sb_yard_make(scene, &yard, variant);
 }

@@ -154,12 +154,8 @@ struct sb_yard {
 void sb_yard_make(struct sb_scene *scene, const struct sb_yard *yard,
                   const struct sb_variant *variant);
 
-// Seen from a little above, as in `blocks`.
-#define SB_YARD_CAMERA                                                                   \
-    {                                                                                    \
-        .eye = {0, 5.5, 10.5}, .target = {0, 0, -0.5}, .fov = 45 * SB_DEGREE,            \
-        .near = 0.1, .far = 100                                                          \
-    }
+// A dozen things of four colours, lit from above, seen from a little above: for a scene to change.
+extern const struct sb_yard sb_yard_common;
 
 // Lights of a yard: over it, as sb_light_above; spot lights shine down.
 struct sb_light_params sb_yard_dir(int i);

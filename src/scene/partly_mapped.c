@@ -37,17 +37,10 @@ static const struct sb_yard_object object[] = {
 
 void sb_scene_partly_mapped(struct sb_scene *scene, const struct sb_variant *variant)
 {
-    static const struct sb_yard yard = {
-        .side = 14,
-        .tiles = 1,
-        .object = object,
-        .object_count = sizeof object / sizeof *object,
-        .material = material,
-        .material_count = sizeof material / sizeof *material,
-        .triangles = 1200,
-        .ambient = 0.1,
-        .camera = SB_YARD_CAMERA,
-        .light = {sb_yard_dir, sb_yard_point, sb_yard_spot, sb_yard_area},
-    };
+    struct sb_yard yard = sb_yard_common;
+    yard.material = material;
+    yard.material_count = sizeof material / sizeof *material;
+    yard.object = object;
+    yard.object_count = sizeof object / sizeof *object;
     sb_yard_make(scene, &yard, variant);
 }
