@@ -139,6 +139,19 @@ static void greedy_with_exchange_is_nearly_always_the_best_of_all_choices(void *
     assert_true(worst < 0.02);
 }
 
+static void light_demands_are_served_beside_heavy_ones(void **state)
+{
+    (void)state;
+    for (int power = 0; power < 9; power += 3) {
+        const struct sb_demand demand[] = {{{1}, pow(10, power)}, {{8}, 1}};
+        struct sb_plan *plan = plan_of(demand, 2, true, false, false);
+        int chosen;
+        assert_true(isfinite(sb_plan_choose(plan, 1, &chosen)));
+        assert_int_equal(sb_plan_candidate(plan, chosen)->capacity[0], 8);
+        sb_plan_free(&plan);
+    }
+}
+
 static void what_no_candidate_can_do_costs_infinitely_much(void **state)
 {
     (void)state;
@@ -160,6 +173,7 @@ int main(void)
         cmocka_unit_test(a_dynamic_loop_serves_the_rest),
         cmocka_unit_test(more_programs_never_cost_more),
         cmocka_unit_test(greedy_with_exchange_is_nearly_always_the_best_of_all_choices),
+        cmocka_unit_test(light_demands_are_served_beside_heavy_ones),
         cmocka_unit_test(what_no_candidate_can_do_costs_infinitely_much),
     };
     return run_tests(tests);

@@ -71,6 +71,11 @@ static void plan_chooses_from_what_was_measured(void **state)
     check_answer("plan --demands @/demands.csv --costs @/costs --programs 2 --json", 0,
                  "\"programs\"");
     check_answer("plan effects --costs @/costs --programs 2", 0, "drawn by");
+    check_answer("plan delphi --costs @/costs --programs 2", 0, "drawn by");
+    // However uneven the weights, every demand is served.
+    write_file("uneven.csv", "point,weight\n1,1000000\n8,1\n");
+    check_answer("plan --demands @/uneven.csv --costs @/costs --programs 1", 0,
+                 "point 8)");
 }
 
 static void plan_refuses_what_it_cannot_know(void **state)
@@ -87,6 +92,9 @@ static void plan_refuses_what_it_cannot_know(void **state)
     check_answer(
         "plan --demands @/bad.csv --costs @/costs", 2,
         "bad.csv:1: unknown column \"points\"; valid: dir point spot area weight");
+    write_file("bad.csv", "dir,weight,dir\n1,2,3\n");
+    check_answer("plan --demands @/bad.csv --costs @/costs", 2,
+                 "\"dir\" stands there twice");
     write_file("bad.csv", "dir,weight\n1,2\n-1,1\n");
     check_answer("plan --demands @/bad.csv --costs @/costs", 2, "bad.csv:3: dir");
     write_file("bad.csv", "dir,weight\n1.5,2\n");

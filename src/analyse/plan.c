@@ -13,7 +13,8 @@ struct sb_plan {
     struct sb_plan_program *program;
     int program_count, program_capacity;
     double *cost;    // [program][demand]
-    double unserved; // more than any choice saves
+    double unserved; // of a demand that none serves, while programs are looked for
+    double *others;  // room: of each demand the cheapest of the programs but one
 };
 
 bool sb_plan_serves(const struct sb_plan_program *program, const struct sb_demand *demand)
@@ -68,15 +69,17 @@ static int power_of_two(int count)
     return count > 0 ? power : 0;
 }
 
+// What serves most first: where there are too many, it is pairs that are left out.
 static void add_candidates(struct sb_plan *plan, const struct sb_plan_params *params)
 {
     int most[SB_PLAN_TYPES] = {0}, bucket[SB_PLAN_TYPES];
     for (int i = 0; i < params->demand_count; i++)
         largest_of(most, params->demand[i].count, most);
     add(plan, params, most, true);
+    for (int i = 0; i < params->demand_count; i++)
+        add(plan, params, params->demand[i].count, false);
     for (int i = 0; i < params->demand_count; i++) {
         const int *count = params->demand[i].count;
-        add(plan, params, count, false);
         // Beyond the largest count of all nothing is drawn.
         for (int t = 0; t < SB_PLAN_TYPES; t++) {
             const int power = power_of_two(count[t]);
@@ -94,6 +97,19 @@ static void add_candidates(struct sb_plan *plan, const struct sb_plan_params *pa
         }
 }
 
+// More than any choice of programs that serve all can cost in sum: so leaving one demand unserved,
+// however light, is dearer than serving every one.
+static double unserved_cost(const struct sb_plan *plan)
+{
+    double dearest = 1, lightest = plan->weight;
+    for (int i = 0; i < plan->program_count * plan->demand_count; i++)
+        if (isfinite(plan->cost[i]))
+            dearest = fmax(dearest, plan->cost[i]);
+    for (int d = 0; d < plan->demand_count; d++)
+        lightest = fmin(lightest, plan->demand[d].weight);
+    return 2 * dearest * plan->weight / lightest;
+}
+
 struct sb_plan *sb_plan_new(const struct sb_plan_params *params)
 {
     struct sb_plan *plan = sb_alloc(sizeof *plan);
@@ -102,6 +118,7 @@ struct sb_plan *sb_plan_new(const struct sb_plan_params *params)
     for (int d = 0; d < plan->demand_count; d++)
         plan->weight += plan->demand[d].weight;
     add_candidates(plan, params);
+    plan->others = sb_alloc(((size_t)plan->demand_count + 1) * sizeof *plan->others);
     plan->cost = sb_alloc((size_t)plan->program_count * (size_t)plan->demand_count *
                               sizeof *plan->cost +
                           1);
@@ -111,10 +128,7 @@ struct sb_plan *sb_plan_new(const struct sb_plan_params *params)
                 sb_plan_serves(&plan->program[p], &plan->demand[d])
                     ? params->cost(params->user, &plan->program[p], &plan->demand[d])
                     : INFINITY;
-    plan->unserved = 1;
-    for (int i = 0; i < plan->program_count * plan->demand_count; i++)
-        if (isfinite(plan->cost[i]))
-            plan->unserved = fmax(plan->unserved, 1000 * plan->cost[i]);
+    plan->unserved = unserved_cost(plan);
     return plan;
 }
 
@@ -123,6 +137,7 @@ void sb_plan_free(struct sb_plan **plan)
     if (*plan) {
         free((*plan)->program);
         free((*plan)->cost);
+        free((*plan)->others);
     }
     free(*plan);
     *plan = NULL;
@@ -192,20 +207,37 @@ static double so_far(const struct sb_plan *plan, const int *chosen, int count)
     return mean_ms(plan, chosen, count, plan->unserved);
 }
 
+// Of each demand what it costs without the program at `place`.
+static void look_at_others(const struct sb_plan *plan, const int *chosen, int count,
+                           int place)
+{
+    for (int d = 0; d < plan->demand_count; d++) {
+        plan->others[d] = plan->unserved;
+        for (int i = 0; i < count; i++)
+            if (i != place)
+                plan->others[d] = fmin(plan->others[d], cost_of(plan, chosen[i], d));
+    }
+}
+
+static double mean_beside_others(const struct sb_plan *plan, int program)
+{
+    double sum = 0;
+    for (int d = 0; d < plan->demand_count; d++)
+        sum += plan->demand[d].weight * fmin(plan->others[d], cost_of(plan, program, d));
+    return sum / plan->weight;
+}
+
 // Puts the best candidate in chosen[place]; returns whether the mean falls below *ms.
 static bool improve_place(const struct sb_plan *plan, int *chosen, int count, int place,
                           double *ms)
 {
     const int before = chosen[place];
     int best = before;
+    look_at_others(plan, chosen, count, place);
     for (int p = 0; p < plan->program_count; p++) {
-        if (is_chosen(chosen, count, p))
-            continue;
-        chosen[place] = p;
-        const double with = so_far(plan, chosen, count);
-        chosen[place] = before;
+        const double with = mean_beside_others(plan, p);
         // Better by more than rounding, or it would go round in circles.
-        if (with < *ms * (1 - 1e-12)) {
+        if (with < *ms * (1 - 1e-12) && !is_chosen(chosen, count, p)) {
             *ms = with;
             best = p;
         }
@@ -248,8 +280,9 @@ static int ascending(const void *a, const void *b)
 // Where exchange ends depends on where it starts: from every candidate, or of many from some.
 double sb_plan_choose(const struct sb_plan *plan, int programs, int *chosen)
 {
-    enum { STARTS = 100 };
-    const int step = 1 + (plan->program_count - 1) / STARTS;
+    const double work = (double)plan->program_count * plan->demand_count;
+    const double starts = fmin(fmax(2e7 / work, 4), 100);
+    const int step = 1 + (int)((plan->program_count - 1) / starts);
     int *tried = sb_alloc((size_t)programs * sizeof *tried);
     double least = INFINITY;
     for (int first = 0; first < plan->program_count; first += step) {

@@ -17,6 +17,7 @@ struct sb_plan_costs {
     int count;
     const struct sb_row *first;
     struct sb_plan_line line[SB_PLAN_KINDS];
+    bool padded[SB_PLAN_TYPES];
 };
 
 // --- rows ------------------------------------------------------------------------------------
@@ -34,8 +35,8 @@ static bool point_of(const struct sb_plan_costs_params *params, const struct sb_
     for (int t = 0; t < SB_PLAN_TYPES; t++) {
         const int lights = (int)value[params->count_axis[t]];
         point->lights[t] = lights;
-        point->room[t] =
-            kind == SB_PLAN_PADDED && lights > 0 && capacity > lights ? capacity : lights;
+        const bool roomy = kind == SB_PLAN_PADDED && params->padded[t];
+        point->room[t] = roomy && lights > 0 && capacity > lights ? capacity : lights;
     }
     return kind < SB_PLAN_KINDS;
 }
@@ -88,13 +89,16 @@ static void solve(double a[TERMS][TERMS + 1], const bool used[TERMS], double x[T
 {
     int row_of[TERMS];
     bool taken[TERMS] = {0};
+    double size[TERMS]; // of a term: a pivot that is nothing beside it is rounding
+    for (int c = 0; c < TERMS; c++)
+        size[c] = a[c][c];
     for (int c = 0; c < TERMS; c++) {
         int pivot = -1;
         row_of[c] = -1;
         for (int r = 0; used[c] && r < TERMS; r++)
             if (used[r] && !taken[r] && (pivot < 0 || fabs(a[r][c]) > fabs(a[pivot][c])))
                 pivot = r;
-        if (pivot < 0 || fabs(a[pivot][c]) < 1e-9)
+        if (pivot < 0 || fabs(a[pivot][c]) <= 1e-9 * size[c])
             continue;
         taken[pivot] = true;
         row_of[c] = pivot;
@@ -144,6 +148,9 @@ static void measure_line(struct sb_plan_costs *costs, enum sb_plan_kind kind)
         const struct point *point = &costs->point[i];
         if (point->kind != kind)
             continue;
+        for (int t = 0; t < SB_PLAN_TYPES; t++)
+            if (line->rows == 0 || point->lights[t] < line->least[t])
+                line->least[t] = point->lights[t];
         line->rows++;
         line->worst = fmax(line->worst, fabs(point->ms / line_ms(line, point) - 1));
         for (int t = 0; t < SB_PLAN_TYPES; t++)
@@ -184,6 +191,7 @@ struct sb_plan_costs *sb_plan_costs_new(const struct sb_plan_costs_params *param
     int rows = 0;
     costs->point = sb_alloc(((size_t)params->count + 1) * sizeof *costs->point);
     costs->first = best < 0 ? NULL : &params->row[best];
+    memcpy(costs->padded, params->padded, sizeof costs->padded);
     for (int i = 0; i < params->count; i++)
         if (chosen[i] && point_of(params, &params->row[i], &costs->point[costs->count]))
             costs->count++;
@@ -223,13 +231,14 @@ const struct sb_row *sb_plan_costs_first(const struct sb_plan_costs *costs)
 // --- asking ----------------------------------------------------------------------------------
 
 // What the program does for the demand: an exact one draws all that it holds.
-static struct point asked(const struct sb_plan_program *program,
+static struct point asked(const struct sb_plan_costs *costs,
+                          const struct sb_plan_program *program,
                           const struct sb_demand *demand)
 {
     struct point point = {.kind = program->kind};
     for (int t = 0; t < SB_PLAN_TYPES; t++) {
         const bool all = program->kind == SB_PLAN_EXACT;
-        const bool padded = program->kind == SB_PLAN_PADDED;
+        const bool padded = program->kind == SB_PLAN_PADDED && costs->padded[t];
         point.lights[t] = all ? program->capacity[t] : demand->count[t];
         point.room[t] = padded ? program->capacity[t] : point.lights[t];
     }
@@ -240,7 +249,7 @@ double sb_plan_cost(const struct sb_plan_costs *costs,
                     const struct sb_plan_program *program, const struct sb_demand *demand,
                     bool *measured)
 {
-    const struct point point = asked(program, demand);
+    const struct point point = asked(costs, program, demand);
     const struct sb_plan_line *line = &costs->line[program->kind];
     for (int i = 0; i < costs->count; i++) {
         const struct point *row = &costs->point[i];
@@ -257,7 +266,7 @@ double sb_plan_cost(const struct sb_plan_costs *costs,
     if (line->rows < 2)
         return INFINITY;
     for (int t = 0; t < SB_PLAN_TYPES; t++)
-        if (point.room[t] > line->most[t])
+        if (point.lights[t] < line->least[t] || point.room[t] > line->most[t])
             return INFINITY;
     return line_ms(line, &point);
 }

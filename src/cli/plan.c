@@ -6,12 +6,12 @@
 
 #include "analyse/plan_costs.h"
 #include "base/file.h"
-#include "cli/results.h"
+#include "cli/compare.h"
 #include "cli/table.h"
 #include "results/csv.h"
 #include "scene/lights.h"
 
-enum { PROGRAMS_MAX = 64, DEMANDS_MAX = 2000 };
+enum { PROGRAMS_MAX = 64, DEMANDS_MAX = 1000 };
 #define STOPS_PAYING 0.01 // share that one more program must save
 
 struct planning {
@@ -82,16 +82,26 @@ static bool read_line(struct planning *it, const char *path, const struct sb_csv
     return demand.weight <= 0 || add_demand(it, &demand, err);
 }
 
+static bool check_column(const char *path, const struct sb_csv *csv, int column,
+                         struct sb_error *err)
+{
+    const char *name = csv->cell[0][column];
+    if (column_of(name) < 0)
+        return sb_fail(err, SB_BAD_INPUT,
+                       "%s:1: unknown column \"%s\"; valid: dir point spot area weight",
+                       path, name);
+    if (sb_csv_column(csv, name) != column)
+        return sb_fail(err, SB_BAD_INPUT, "%s:1: column \"%s\" stands there twice", path,
+                       name);
+    return true;
+}
+
 static bool read_demands(struct planning *it, const char *path, struct sb_error *err)
 {
     struct sb_csv csv = {0};
     bool good = sb_csv_read(path, &csv, err);
     for (int c = 0; good && c < csv.column_count; c++)
-        if (column_of(csv.cell[0][c]) < 0)
-            good = sb_fail(err, SB_BAD_INPUT,
-                           "%s:1: unknown column \"%s\"; valid: dir point spot area "
-                           "weight",
-                           path, csv.cell[0][c]);
+        good = check_column(path, &csv, c, err);
     for (int line = 1; good && line < csv.row_count; line++)
         good = read_line(it, path, &csv, line, err);
     if (good && it->demand_count == 0)
@@ -103,13 +113,21 @@ static bool read_demands(struct planning *it, const char *path, struct sb_error 
     return good;
 }
 
-// The light counts of a suite's entries, each as often as it stands there.
+// The light counts of the entries of a suite, or of a preset, each as often as it stands there.
 static bool take_suite(struct planning *it, const char *word, struct sb_error *err)
 {
     struct sb_suite suite = {0};
-    const char *data = sb_data_dir(&it->arena, it->options->data, err);
-    const char *path = data ? sb_cli_suite_path(word, data, &it->arena, err) : NULL;
-    bool good = path && sb_cli_load_suite(it->options, path, data, &suite, err);
+    struct sb_options options = *it->options;
+    struct sb_arena *arena = &it->arena;
+    const char *data = sb_data_dir(arena, options.data, err), *path = NULL;
+    if (!data)
+        return false;
+    const char *preset = sb_arena_printf(arena, "%s/bench/presets/%s.yaml", data, word);
+    if (sb_file_exists(preset))
+        options.preset = word;
+    else if (!(path = sb_cli_suite_path(word, data, arena, err)))
+        return false;
+    bool good = sb_cli_load_suite(&options, path, data, &suite, err);
     for (int i = 0; good && i < suite.entry_count; i++) {
         struct sb_demand demand = {.weight = 1};
         for (int t = 0; t < SB_LIGHT_TYPE_COUNT; t++)
@@ -157,6 +175,8 @@ static bool load_costs(struct planning *it, struct sb_error *err)
         .axes = axes, .row = it->compared.rows.row, .count = it->compared.rows.count};
     for (int t = 0; t < SB_LIGHT_TYPE_COUNT; t++)
         params.count_axis[t] = sb_light_structs[t].axis;
+    for (int t = 0; t < SB_LIGHT_TYPE_COUNT; t++) // sb_lights_slots
+        params.padded[t] = t != SB_LIGHT_DIR;
     if (!find_axis(axes, "loop", &params.loop_axis, err) ||
         !find_axis(axes, "capacity", &params.capacity_axis, err))
         return false;
@@ -174,6 +194,23 @@ static double cost(void *user, const struct sb_plan_program *program,
     return sb_plan_cost(user, program, demand, NULL);
 }
 
+// The first type of which more, or fewer, are wanted than any kind of loop was measured with.
+static const char *unknown_type(const struct planning *it, const struct sb_demand *demand)
+{
+    for (int t = 0; t < SB_PLAN_TYPES; t++) {
+        bool known = false;
+        for (int k = 0; k < SB_PLAN_KINDS; k++) {
+            const struct sb_plan_line *line =
+                sb_plan_costs_line(it->costs, (enum sb_plan_kind)k);
+            known |= line->rows >= 2 && demand->count[t] >= line->least[t] &&
+                     demand->count[t] <= line->most[t];
+        }
+        if (!known)
+            return sb_light_structs[t].name;
+    }
+    return "light";
+}
+
 // Every demand must have a cost in some program: what was not measured is not made up.
 static bool check_served(const struct planning *it, struct sb_error *err)
 {
@@ -185,9 +222,10 @@ static bool check_served(const struct planning *it, struct sb_error *err)
         if (!served)
             return sb_fail(err, SB_BAD_INPUT,
                            "%s: nothing measured tells what dir=%d point=%d spot=%d "
-                           "area=%d costs; measure at least as many lights of each type "
-                           "that is wanted",
-                           it->compared.path, count[0], count[1], count[2], count[3]);
+                           "area=%d costs; measure as few and as many of each %s as are "
+                           "wanted",
+                           it->compared.path, count[0], count[1], count[2], count[3],
+                           unknown_type(it, &it->demand[d]));
     }
     return true;
 }
@@ -245,11 +283,27 @@ static void print_head(const struct planning *it)
     printf("\n");
 }
 
+static double saves(const struct step *step, int k)
+{
+    return k > 0 && isfinite(step[k - 1].ms) ? 1 - step[k].ms / step[k - 1].ms
+                                             : (double)NAN;
+}
+
+// The last number of programs of which the last one saves enough.
+static int pays_up_to(const struct step *step, int steps)
+{
+    int pays = 1;
+    for (int k = 1; k < steps; k++)
+        if (!(saves(step, k) < STOPS_PAYING))
+            pays = k + 1;
+    return pays;
+}
+
 static void print_steps(const struct planning *it, const struct step *step, int steps)
 {
     struct sb_table *table = sb_table_new();
     struct sb_text text = {0};
-    int pays = steps;
+    const int pays = pays_up_to(step, steps);
     sb_table_column(table, "programs", true);
     sb_table_column(table, "ms", true);
     sb_table_column(table, "saves", true);
@@ -257,17 +311,15 @@ static void print_steps(const struct planning *it, const struct step *step, int 
         sb_table_column(table, "best of all", true);
     sb_table_column(table, "which", false);
     for (int k = 0; k < steps; k++) {
-        const double saves = k ? 1 - step[k].ms / step[k - 1].ms : (double)NAN;
+        const bool all = isfinite(step[k].ms);
         sb_text_clear(&text);
         programs_text(it, &step[k], k + 1, &text);
         sb_table_cellf(table, "%d", k + 1);
-        sb_table_real(table, "%.3f", step[k].ms);
-        sb_table_real(table, "%.1f %%", 100 * saves);
+        sb_table_real(table, "%.3f", all ? step[k].ms : (double)NAN);
+        sb_table_real(table, "%.1f %%", 100 * saves(step, k));
         if (it->options->exhaustive)
             sb_table_real(table, "%.3f", step[k].least);
-        sb_table_cell(table, sb_text_get(&text));
-        if (k && pays == steps && saves < STOPS_PAYING)
-            pays = k;
+        sb_table_cell(table, all ? sb_text_get(&text) : "none that serve all demands");
     }
     sb_table_print(table);
     if (pays < steps)
@@ -289,6 +341,8 @@ static void print_demands(const struct planning *it, const struct step *step, in
     sb_table_column(table, "drawn by", false);
     for (int d = 0; d < it->demand_count; d++) {
         const int server = sb_plan_server(it->plan, step->chosen, count, d);
+        if (server < 0) // so many programs cannot serve all
+            continue;
         const struct sb_plan_program *program = sb_plan_candidate(it->plan, server);
         bool measured;
         const double ms = sb_plan_cost(it->costs, program, &it->demand[d], &measured);
@@ -322,10 +376,34 @@ static json_t *steps_json(const struct planning *it, const struct step *step, in
         for (int i = 0; i <= k; i++)
             json_array_append_new(
                 programs, program_json(sb_plan_candidate(it->plan, step[k].chosen[i])));
-        json_t *object = json_pack("{sfso}", "ms", step[k].ms, "programs", programs);
+        json_t *object = json_pack("{soso}", "ms", sb_compare_number(step[k].ms),
+                                   "programs", programs);
+        json_object_set_new(object, "saves", sb_compare_number(saves(step, k)));
         if (!isnan(step[k].least))
             json_object_set_new(object, "best_ms", json_real(step[k].least));
         json_array_append_new(list, object);
+    }
+    return list;
+}
+
+static json_t *demands_json(const struct planning *it, const struct step *step, int count)
+{
+    json_t *list = json_array();
+    for (int d = 0; d < it->demand_count; d++) {
+        const struct sb_demand *demand = &it->demand[d];
+        const int server = sb_plan_server(it->plan, step->chosen, count, d);
+        bool measured = false;
+        json_t *object = json_pack("{sisisisisf}", "dir", demand->count[0], "point",
+                                   demand->count[1], "spot", demand->count[2], "area",
+                                   demand->count[3], "weight", demand->weight);
+        json_array_append_new(list, object);
+        if (server < 0)
+            continue;
+        const struct sb_plan_program *program = sb_plan_candidate(it->plan, server);
+        const double ms = sb_plan_cost(it->costs, program, demand, &measured);
+        json_object_set_new(object, "ms", sb_compare_number(ms));
+        json_object_set_new(object, "measured", json_boolean(measured));
+        json_object_set_new(object, "drawn_by", program_json(program));
     }
     return list;
 }
@@ -385,7 +463,10 @@ int sb_cmd_plan(const struct sb_options *options, int argc, char **argv)
         struct step *step = sb_alloc((size_t)steps * sizeof *step);
         choose(&it, step, steps);
         if (options->json) {
-            sb_cli_print_json(steps_json(&it, step, steps));
+            sb_cli_print_json(json_pack("{sososi}", "steps", steps_json(&it, step, steps),
+                                        "demands",
+                                        demands_json(&it, &step[steps - 1], steps),
+                                        "pays_up_to", pays_up_to(step, steps)));
         } else {
             print_head(&it);
             print_steps(&it, step, steps);
