@@ -177,9 +177,8 @@ static void print_ablation(const struct sb_axes *axes, const struct sb_row *all,
     }
     printf(
         "\nEach effect left out alone: what it costs, and who would see it go. A step is "
-        "one of 255, as displays\nshow it; errors are against the reference, which "
-        "leaves "
-        "nothing out.\n");
+        "1/255 in linear light;\nerrors are against the reference, which leaves nothing "
+        "out.\n");
     sb_table_print(table);
     sb_table_free(&table);
 }

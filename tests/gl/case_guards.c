@@ -16,7 +16,7 @@ static const struct guard guards[] = {
      "light-on-surface", false, false},
     {"vertex_normal.glsl", "n2 > 0.0 ? normal * inversesqrt(n2) : normal", "normal * inversesqrt(n2)",
      "zero-normal", false, true},
-    {"attenuation/polynomial.glsl", "max(k.x + d * (k.y + d * k.z), 1e-4)", "(k.x + d * (k.y + d * k.z))",
+    {"attenuation/polynomial.glsl", "max(k.x + d * slope, 1e-4)", "(k.x + d * slope)",
      "att-kc0", false, false},
     {"model/blinn.glsl", "h2 > 1e-4 ? h * inversesqrt(h2) : vec3(0.0)", "h * inversesqrt(h2)",
      "half-vector-zero", false, false},
