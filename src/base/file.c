@@ -46,11 +46,10 @@ error:
     return NULL;
 }
 
-bool sb_file_replace(const char *path, const char *data, size_t size,
-                     struct sb_error *err)
+// `temporary` is beside `path`, and nobody else writes to it.
+static bool replace_by(const char *temporary, const char *path, const char *data,
+                       size_t size, struct sb_error *err)
 {
-    struct sb_arena arena = {0};
-    char *temporary = sb_arena_printf(&arena, "%s.tmp", path);
     FILE *file = fopen(temporary, "wb");
     bool good = file && fwrite(data, 1, size, file) == size && fflush(file) == 0;
     int cause = errno;
@@ -62,11 +61,29 @@ bool sb_file_replace(const char *path, const char *data, size_t size,
         cause = errno;
         good = false;
     }
-    if (!good) {
-        if (file)
-            unlink(temporary);
-        sb_fail(err, SB_WRITE_FAILED, "%s: %s", path, strerror(cause));
-    }
+    if (good)
+        return true;
+    if (file)
+        unlink(temporary);
+    return sb_fail(err, SB_WRITE_FAILED, "%s: %s", path, strerror(cause));
+}
+
+bool sb_file_replace(const char *path, const char *data, size_t size,
+                     struct sb_error *err)
+{
+    struct sb_arena arena = {0};
+    const char *temporary = sb_arena_printf(&arena, "%s.tmp", path);
+    const bool good = replace_by(temporary, path, data, size, err);
+    sb_arena_free(&arena);
+    return good;
+}
+
+bool sb_file_replace_shared(const char *path, const char *data, size_t size,
+                            struct sb_error *err)
+{
+    struct sb_arena arena = {0};
+    const char *temporary = sb_arena_printf(&arena, "%s.%ld.tmp", path, (long)getpid());
+    const bool good = replace_by(temporary, path, data, size, err);
     sb_arena_free(&arena);
     return good;
 }

@@ -16,6 +16,10 @@ char *sb_file_read(struct sb_arena *arena, const char *path, size_t limit, size_
 // that fills up, sees the old content or the new one, never half. SB_WRITE_FAILED.
 bool sb_file_replace(const char *path, const char *data, size_t size,
                      struct sb_error *err);
+// The same of a file that other processes may replace at the same time: the last one's is left,
+// whole, and none of them fails for it. The temporary file has the process's number in its name.
+bool sb_file_replace_shared(const char *path, const char *data, size_t size,
+                            struct sb_error *err);
 
 bool sb_file_exists(const char *path);
 bool sb_dir_exists(const char *path);

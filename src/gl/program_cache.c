@@ -104,7 +104,7 @@ static void store(struct sb_gl_program_cache *cache, const char *path,
     unsigned char *binary = sb_gl_program_binary(program->name, &format, &binary_size);
     const struct sb_program_file file = {*key, format, binary, binary_size};
     unsigned char *data = binary ? sb_program_file_encode(&file, &size) : NULL;
-    if (data && !sb_file_replace(path, (const char *)data, size, &err)) {
+    if (data && !sb_file_replace_shared(path, (const char *)data, size, &err)) {
         sb_warn("program cache: %s; no more programs are kept", err.text);
         cache->read_only = true;
     }

@@ -335,7 +335,7 @@ static void files_that_cannot_be_written_are_one_warning(void **state)
     clear(cache_dir);
     // Where the temporary files would be: root may write to a folder of any mode.
     for (int i = 0; i < PROGRAMS; i++) {
-        snprintf(temporary, sizeof temporary, "%s.tmp", paths[i]);
+        snprintf(temporary, sizeof temporary, "%s.%ld.tmp", paths[i], (long)getpid());
         assert_int_equal(mkdir(temporary, 0700), 0);
     }
     check_drawn(0, "no more programs are kept");
