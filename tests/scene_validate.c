@@ -148,6 +148,7 @@ static void materials_draws_vertices_and_camera_are_checked_too(void **state)
     check_value(material[0].shininess, 0,
                 "material 0: shininess is 0; valid: a finite number of 0.001");
     check_value(material[0].specular[0], -1, "material 0: specular[0] is -1");
+    check_value(material[0].lacks, 8, "material 0: lacks is 8; valid: 0 to 7");
     check_value(draw[9].model[12], INFINITY, "draw 9: model[12] is inf");
     check_value(draw[2].normal_matrix[8], NAN, "draw 2: normal_matrix[8] is nan");
     check_value(vertex[7].uv[1], NAN, "vertex 7 of mesh 0: uv[1] is nan");

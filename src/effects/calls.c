@@ -251,7 +251,10 @@ static void look_at_maps(struct analysing *it, int draw, struct sb_needs *needs)
                                                     "normal map"};
     const struct sb_scene *scene = it->params->scene;
     const unsigned asked = sb_maps_asked(it->params->variant);
-    const unsigned has = ~scene->material[scene->draw[draw].material].lacks;
+    // Decoded as textbooks do it, a flat texel is not quite flat: its lookup changes the normal.
+    const bool tilts = is(it->params->variant, SB_AXIS_F_FRAME, SB_F_FRAME_NAIVE);
+    const unsigned has = ~scene->material[scene->draw[draw].material].lacks |
+                         (tilts ? 1U << SB_MAP_NORMAL : 0);
     const bool used[SB_MAP_COUNT] = {needs->diffuse || needs->ambient, needs->specular,
                                      needs->diffuse || needs->specular};
     for (int i = 0; i < SB_MAP_COUNT; i++) {

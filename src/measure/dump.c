@@ -84,11 +84,15 @@ static json_t *materials_json(const struct sb_scene *scene)
     json_t *list = json_array();
     for (int i = 0; i < scene->material_count; i++) {
         const struct sb_material *material = &scene->material[i];
-        json_array_append_new(list, json_pack("{so so so sf}", "ambient",
-                                              numbers(material->ambient, 3), "diffuse",
-                                              numbers(material->diffuse, 3), "specular",
-                                              numbers(material->specular, 3), "shininess",
-                                              (double)material->shininess));
+        json_t *lacks = json_array();
+        for (int m = 0; m < SB_MAP_COUNT; m++)
+            if (material->lacks >> m & 1)
+                json_array_append_new(lacks, json_integer(m));
+        json_array_append_new(
+            list, json_pack("{so so so sf so}", "ambient", numbers(material->ambient, 3),
+                            "diffuse", numbers(material->diffuse, 3), "specular",
+                            numbers(material->specular, 3), "shininess",
+                            (double)material->shininess, "lacks", lacks));
     }
     return list;
 }

@@ -238,8 +238,12 @@ bool sb_scene_validate(const struct sb_scene *scene, struct sb_error *err)
     }
     for (int i = 0; i < scene->material_count; i++) {
         const struct subject it = {scene->name, "material", i, NULL};
+        const unsigned lacks = scene->material[i].lacks;
         if (!CHECK_FIELDS(&it, &scene->material[i], material_fields, err))
             return false;
+        if (lacks >> SB_MAP_COUNT)
+            return fail(&it, err, "lacks is %u; valid: 0 to %u, a bit for each map",
+                        lacks, (1U << SB_MAP_COUNT) - 1);
     }
     for (int i = 0; i < scene->draw_count; i++) {
         if (!check_draw(scene, i, err))

@@ -151,6 +151,7 @@ static void so_it_does_with_other_storages_stages_and_spaces(void **state)
     check_policies(&scenes[3], "storage=ubo_std140");
     check_policies(&scenes[4], "storage=arrays space=view");
     check_policies(&scenes[7], "stage=vertex");
+    check_policies(&scenes[5], "f_frame=naive");
     check_policies(&scenes[6], "storage=ubo_std140 shadow_map=array2d");
     check_policies(&scenes[7], "hoist=per_light guard=mask layers=2");
     check_policies(&scenes[4], "update=lights lamps=on");
