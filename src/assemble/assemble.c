@@ -352,6 +352,7 @@ static void list_lit(struct sb_assembly *assembly, const struct sb_choice *choic
             copy(&assembly->arena, choice->uniform[i].value, choice->scene.draw_count)};
     job->uniform = uniform;
     job->uniform_count = choice->uniform_count;
+    job->draw_count = choice->scene.draw_count;
 }
 
 // What else is drawn, and instrumented twins: of a program that lights all both, else that which

@@ -8,6 +8,7 @@
 #include "base/words.h"
 #include "cli/common.h"
 #include "scene/scene.h"
+#include "wire/worker.h"
 #ifdef SB_HAVE_GL
 #include "local/local.h"
 #endif
@@ -134,21 +135,33 @@ static bool parse_device(const char *text, int *device, struct sb_error *err)
     return true;
 }
 
+static bool parse_limit(const char *text, double *seconds, struct sb_error *err)
+{
+    *seconds = 0;
+    return !text || (sb_parse_number(text, seconds) && *seconds > 0) ||
+           sb_fail(err, SB_USAGE, "--worker-limit %s: seconds over 0 are wanted", text);
+}
+
 bool sb_cli_driver_params(const struct sb_options *options, const struct sb_suite *suite,
                           struct sb_driver_params *params, struct sb_error *err)
 {
     *params = (struct sb_driver_params){
         .timer = options->timer,
         .context.program_cache = options->program_cache,
+        .context.worker = options->worker,
     };
+    if (options->in_process && options->worker)
+        return sb_fail(err, SB_USAGE, "--in-process has no worker: leave out --worker");
+    if (!parse_limit(options->worker_limit, &params->context.worker_limit_s, err))
+        return false;
     if (!sb_platform_apply(suite, &params->context, err) ||
         !parse_device(options->device, &params->context.device, err))
         return false;
     if (strcmp(params->context.context, "null") == 0)
-        params->runner = &sb_runner_null;
+        params->runner = options->worker ? &sb_runner_worker : &sb_runner_null;
 #ifdef SB_HAVE_GL
     else
-        params->runner = &sb_runner_local;
+        params->runner = options->in_process ? &sb_runner_local : &sb_runner_worker;
 #else
     else
         return sb_fail(err, SB_NO_GL, "built without GL: only --context null is there");

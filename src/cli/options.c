@@ -19,6 +19,7 @@ enum {
     ALL = 511
 };
 enum { PLAN = RUN | SHOW | VERIFY | EXPLAIN };     // commands that take variants
+enum { WORKERS = RUN | PROBE | EXPLAIN };          // those that may draw by a worker
 enum { OFFLINE = LIST | COMPARE | FIT | PLANNER }; // those that are of no platform
 
 enum option_type { FLAG, TEXT, ASSIGNMENT };
@@ -70,6 +71,9 @@ static const struct option options_table[] = {
     {"timer",    0,   "NAME",       RUN|PROBE|VERIFY, TEXT,       AT(timer),    "timer source to use, if its audit allows; default: auto"},
     {"pixel",    0,   "X,Y",        EXPLAIN,          TEXT,       AT(pixel),    "the pixel to explain, counted from the lower left"},
     {"device",   0,   "N",          RUN|PROBE|VERIFY|EXPLAIN, TEXT,       AT(device),   "EGL device number, where there are several"},
+    {"worker",   0,   "COMMAND",    WORKERS,          TEXT,       AT(worker),   "what starts a worker: 'ssh HOST shadebench-worker'; default: the one beside this program"},
+    {"worker-limit", 0, "SECONDS",  WORKERS,          TEXT,       AT(worker_limit), "a worker that takes longer over one call is killed [120]"},
+    {"in-process", 0, NULL,         WORKERS,          FLAG,       AT(in_process), "draw in this process, for a debugger: a driver that crashes ends it"},
     {"shaders",  0,   "DIR",        PLAN,             TEXT,       AT(shaders),  "another shader folder"},
     {"data",     0,   "DIR",        ALL,              TEXT,       AT(data),     "folder that holds shaders/ and bench/"},
     {"json",     0,   NULL,         ALL,              FLAG,       AT(json),     "results on stdout as JSON"},

@@ -221,8 +221,12 @@ static bool check_classes(const struct sb_options *options, struct sb_error *err
     return !given || sb_fail(err, SB_USAGE, "%s is of cases: leave out --classes", given);
 }
 
-int sb_cmd_verify(const struct sb_options *options, int argc, char **argv)
+int sb_cmd_verify(const struct sb_options *given, int argc, char **argv)
 {
+    // Its crew are processes of their own already (cases/crew.h).
+    struct sb_options here = *given;
+    const struct sb_options *options = &here;
+    here.in_process = true;
     struct sb_error err = {0};
     struct sb_arena arena = {0};
     struct sb_suite suite = {0};

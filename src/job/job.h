@@ -20,6 +20,13 @@ struct sb_context_params {
     int device;          // EGL device number; -1: the default display
     // Folder of program binaries, read on open; NULL: none, each job compiles for itself.
     const char *program_cache;
+    // "NAME=VALUE" sets, "NAME" unsets a variable before a driver is loaded.
+    const char *const *environment;
+    int environment_count;
+    // Of a worker: the command that starts one (by /bin/sh; NULL: shadebench-worker beside this
+    // program), and how long it may take over one call, or one batch of a round; 0: 120 s.
+    const char *worker;
+    double worker_limit_s;
 };
 
 // What a driver has. A limit of 0: it has none of that kind. One list, caps.def.
@@ -75,6 +82,7 @@ struct sb_job {  // one variant ready to draw
     int lit_count;
     const struct sb_job_uniform *uniform;
     int uniform_count;
+    int draw_count; // of the scene, where there are uniforms: so many values each has
 };
 
 struct sb_prepared {
@@ -212,6 +220,10 @@ struct sb_runner_fns {
     bool (*image)(void *, const struct sb_image_request *, struct sb_image *,
                   struct sb_error *);
     void (*release)(void *, uint32_t job);
+    // Where jobs can be lost: false, with why, for one that was given up, which its samples
+    // (SB_SAMPLE_LOST) do not tell. NULL: none is.
+    bool (*holds)(void *, uint32_t job, struct sb_error *);
+    int (*workers)(const void *); // processes that it has used so far; NULL: one
     void (*close)(void *);
 };
 

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/environment.h"
 #include "base/mem.h"
 #include "gl/audit.h"
 #include "local/state.h"
@@ -31,6 +32,7 @@ static void *open_runner(const struct sb_context_params *params, struct sb_caps 
     const struct sb_context_options options = {.gles = params->gles,
                                                .device = params->device};
     struct sb_local *local = sb_alloc(sizeof *local);
+    sb_environment_apply(params->environment, params->environment_count);
     local->window = sb_context_open(params->context, &options, &local->context, err);
     if (!local->window)
         goto no_context;

@@ -23,6 +23,8 @@ static bool shoot(const struct sb_driver *driver, const struct sb_shot *shot, do
             return false;
         if (sample.flags == 0)
             break;
+        if (sample.flags & SB_SAMPLE_LOST && !sb_driver_holds(driver, shot->job, err))
+            return false;
     }
     *ns = (double)(sample.gpu_ns == SB_NO_TIME || sample.flags ? sample.wall_ns
                                                                : sample.gpu_ns);

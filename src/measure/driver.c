@@ -116,6 +116,16 @@ void sb_driver_close(struct sb_driver *driver)
     driver->runner = NULL;
 }
 
+bool sb_driver_holds(const struct sb_driver *driver, uint32_t job, struct sb_error *err)
+{
+    return !driver->fns->holds || driver->fns->holds(driver->runner, job, err);
+}
+
+int sb_driver_workers(const struct sb_driver *driver)
+{
+    return driver->fns->workers ? driver->fns->workers(driver->runner) : 1;
+}
+
 const struct sb_precision_verdict *sb_driver_precision(const struct sb_driver *driver,
                                                        bool vertex_stage,
                                                        enum sb_carrier carrier,

@@ -29,6 +29,11 @@ bool sb_driver_open(const struct sb_driver_params *params, struct sb_driver *dri
                     struct sb_error *err);
 void sb_driver_close(struct sb_driver *driver);
 
+// Is the job still there? False with why it was given up (job.h, `holds`).
+bool sb_driver_holds(const struct sb_driver *driver, uint32_t job, struct sb_error *err);
+// Processes that the runner has used so far.
+int sb_driver_workers(const struct sb_driver *driver);
+
 // Opens, and asks for nothing but the caps: for whoever draws and does not measure.
 // driver->timer is -1.
 bool sb_driver_connect(const struct sb_driver_params *params, struct sb_driver *driver,

@@ -72,6 +72,29 @@ static bool run_round(const struct sb_rounds *rounds, int round, const int *acti
     return good;
 }
 
+// A worker that was lost took its round with it; a job that took down two is out.
+static void drop_given_up(struct sb_rounds *rounds, const int *active, int count)
+{
+    for (int i = 0; i < count; i++) {
+        struct sb_task *task = &rounds->task[active[i]];
+        struct sb_error why = {0};
+        if (!sb_driver_holds(rounds->driver, task->assembly.job.id, &why))
+            sb_task_fail(task, &why);
+    }
+}
+
+// Levels differ between processes, those of two workers too.
+static void note_workers(struct sb_rounds *rounds, int before)
+{
+    const int lost = sb_driver_workers(rounds->driver) - before;
+    for (int i = 0; lost > 0 && i < rounds->task_count; i++)
+        if (rounds->task[i].sample_count > 0)
+            sb_task_note(&rounds->task[i],
+                         "%d worker%s lost in the rounds: the samples are of several "
+                         "processes, between which levels differ",
+                         lost, lost > 1 ? "s were" : " was");
+}
+
 static int find_active(const struct sb_rounds *rounds, int *active)
 {
     int count = 0;
@@ -128,6 +151,7 @@ static bool loop(struct sb_rounds *rounds, int *active, struct sb_sample_row *ro
                 sb_task_fail(&rounds->task[active[i]], &failure);
             return true;
         }
+        drop_given_up(rounds, active, count);
         if (!sb_store_samples(rounds->store, row, count, err)) {
             stop_all(rounds, "interrupted");
             return false;
@@ -145,7 +169,9 @@ bool sb_rounds_run(struct sb_rounds *rounds, struct sb_error *err)
     const size_t count = (size_t)rounds->task_count;
     int *active = sb_alloc(count * sizeof *active);
     struct sb_sample_row *row = sb_alloc(count * sizeof *row);
+    const int workers = sb_driver_workers(rounds->driver);
     const bool good = loop(rounds, active, row, err);
+    note_workers(rounds, workers);
     free(row);
     free(active);
     return good;
