@@ -1,6 +1,7 @@
 #include "assemble/assemble.h"
 
 #include <assert.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "assemble/choose.h"
@@ -14,6 +15,7 @@
 #include "assemble/rows.h"
 #include "base/file.h"
 #include "base/hash.h"
+#include "glsl/rename.h"
 
 static bool check_api(const struct sb_variant *variant, const struct sb_caps *caps,
                       struct sb_error *err)
@@ -421,6 +423,24 @@ void sb_assembly_free(struct sb_assembly *assembly)
             sb_glsl_free(&assembly->built[i].source[stage]);
     sb_arena_free(&assembly->arena);
     memset(assembly, 0, sizeof *assembly);
+}
+
+static const char *renamed(struct sb_assembly *assembly, const char *text)
+{
+    char *other = text ? sb_glsl_rename(text) : NULL;
+    const char *kept = other ? sb_arena_strdup(&assembly->arena, other) : NULL;
+    free(other);
+    return kept;
+}
+
+void sb_assembly_rename(struct sb_assembly *assembly)
+{
+    for (int i = 0; i < assembly->job.program_count; i++) {
+        struct sb_program *program = &assembly->program[i];
+        program->vertex = renamed(assembly, program->vertex);
+        program->geometry = renamed(assembly, program->geometry);
+        program->fragment = renamed(assembly, program->fragment);
+    }
 }
 
 const struct sb_glsl_source *sb_assembly_sources(const struct sb_assembly *assembly,

@@ -67,6 +67,10 @@ bool sb_assemble(const struct sb_assemble_params *params, struct sb_assembly *as
                  struct sb_error *err);
 void sb_assembly_free(struct sb_assembly *assembly);
 
+// Gives the job's programs other names for all that no one asks for by name (glsl/rename.h): the
+// same program, of another text.
+void sb_assembly_rename(struct sb_assembly *assembly);
+
 // Vertex, geometry and fragment text of the first program of a role; texts are NULL where there is
 // none.
 const struct sb_glsl_source *sb_assembly_sources(const struct sb_assembly *assembly,

@@ -13,7 +13,7 @@
 #include "cases/crew.h"
 #include "cli/verify.h"
 #include "measure/interrupt.h"
-#include "results/case_file.h"
+#include "results/row_file.h"
 
 // --- the command line ---------------------------------------------------------------------
 
@@ -181,7 +181,7 @@ static bool open_all(struct sb_verify *verify, struct sb_error *err)
 
 struct asking {
     struct sb_verify *verify;
-    struct sb_case_file *file;
+    struct sb_row_file *file;
     const char *what;
     bool failed; // rows cannot be written: said once, and the rest is asked all the same
     struct sb_error err;
@@ -206,7 +206,7 @@ static void cell_done(void *user, const struct sb_matrix_cell *cell, int count, 
     struct sb_arena arena = {0};
     struct sb_case_row row;
     sb_verify_row(asking->verify, cell, &arena, &row);
-    if (!asking->failed && !sb_case_file_add(asking->file, &row, &asking->err)) {
+    if (!asking->failed && !sb_row_file_add(asking->file, &row, 1, sizeof row, &asking->err)) {
         asking->failed = true;
         sb_warn("%s", asking->err.text);
     }
@@ -328,14 +328,14 @@ static void price_guards(struct sb_verify *verify, int argc, char **argv)
 // --- all of it ----------------------------------------------------------------------------
 
 // Breaking points and prices are known last, and stand in the rows of cells asked long before.
-static bool rewrite_rows(struct sb_verify *verify, struct sb_case_file *file,
+static bool rewrite_rows(struct sb_verify *verify, struct sb_row_file *file,
                          struct sb_error *err)
 {
     const int count = verify->matrix.count;
     struct sb_case_row *row = sb_alloc(((size_t)count + 1) * sizeof *row);
     for (int i = 0; i < count; i++)
         sb_verify_row(verify, &verify->matrix.cell[i], &verify->arena, &row[i]);
-    const bool good = sb_case_file_replace(file, row, count, err);
+    const bool good = sb_row_file_replace(file, row, count, sizeof *row, err);
     free(row);
     return good;
 }
@@ -353,7 +353,7 @@ static bool write_files(struct sb_verify *verify, const struct asking *asking,
 }
 
 static void verify_all(struct sb_verify *verify, int argc, char **argv,
-                       struct sb_case_file *file)
+                       struct sb_row_file *file)
 {
     struct sb_error err = {0};
     struct asking asking = {.verify = verify, .file = file};
@@ -374,20 +374,27 @@ static void verify_all(struct sb_verify *verify, int argc, char **argv,
         sb_verify_print(verify);
 }
 
+static struct sb_row_file *open_file(const char *dir, struct sb_error *err)
+{
+    return sb_row_file_open(
+        &(struct sb_row_file_params){dir, "cases.csv", sb_case_columns, sb_case_column_count},
+        err);
+}
+
 int sb_cli_verify_cases(const struct sb_options *options, int argc, char **argv,
                         const char *data, struct sb_error *err)
 {
     struct sb_verify *verify = sb_alloc(sizeof *verify);
-    struct sb_case_file *file = NULL;
+    struct sb_row_file *file = NULL;
     *verify = (struct sb_verify){.options = options, .data = data, .seed = 1};
     sb_interrupt_install();
-    if (open_all(verify, err) && (file = sb_case_file_open(verify->dir, err)))
+    if (open_all(verify, err) && (file = open_file(verify->dir, err)))
         verify_all(verify, argc, argv, file);
     else
         verify->code = sb_cli_fail(err);
     const int code = verify->code;
     sb_crew_end(&verify->crew);
-    sb_case_file_close(&file);
+    sb_row_file_close(&file);
     for (int i = 0; i < verify->searched_count; i++)
         sb_findings_free(&verify->searched[i].findings);
     sb_prices_free(&verify->prices);

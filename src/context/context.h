@@ -19,6 +19,7 @@ struct sb_context_fns {
     void (*close)(void *self);        // NULL is allowed
     sb_proc (*proc)(void *self, const char *name);
     void (*present)(void *self); // optional: a window
+    bool (*software)(void *self); // optional: does it say that a CPU draws?
 };
 
 extern const struct sb_context_fns sb_context_egl, sb_context_glfw, sb_context_osmesa;

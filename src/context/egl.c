@@ -38,6 +38,8 @@ struct egl {
     // Extensions; NULL where the library has none of them.
     PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display;
     PFNEGLQUERYDEVICESEXTPROC query_devices;
+    PFNEGLQUERYDISPLAYATTRIBEXTPROC query_display;
+    PFNEGLQUERYDEVICESTRINGEXTPROC query_device_string;
 };
 
 // `word` as a whole word of a list of extensions; the list may be NULL.
@@ -118,6 +120,13 @@ static bool load(struct egl *egl, struct sb_text *why)
          has_word(client, "EGL_EXT_device_base")))
         egl->query_devices =
             (PFNEGLQUERYDEVICESEXTPROC)egl->get_proc("eglQueryDevicesEXT");
+    if (has_word(client, "EGL_EXT_device_query") ||
+        has_word(client, "EGL_EXT_device_base")) {
+        egl->query_display = (PFNEGLQUERYDISPLAYATTRIBEXTPROC)egl->get_proc(
+            "eglQueryDisplayAttribEXT");
+        egl->query_device_string = (PFNEGLQUERYDEVICESTRINGEXTPROC)egl->get_proc(
+            "eglQueryDeviceStringEXT");
+    }
     return true;
 }
 
@@ -238,10 +247,22 @@ static sb_proc egl_proc(void *self, const char *name)
     return (sb_proc)egl->get_proc(name);
 }
 
+// EGL_MESA_device_software: "the device is a software renderer".
+static bool egl_software(void *self)
+{
+    const struct egl *egl = self;
+    EGLAttrib device = 0;
+    return egl->query_display && egl->query_device_string &&
+           egl->query_display(egl->display, EGL_DEVICE_EXT, &device) && device &&
+           has_word(egl->query_device_string((EGLDeviceEXT)device, EGL_EXTENSIONS),
+                    "EGL_MESA_device_software");
+}
+
 const struct sb_context_fns sb_context_egl = {
     .name = "egl",
     .help = "EGL: surfaceless or on a device; no display needed",
     .open = egl_open,
     .close = egl_close,
     .proc = egl_proc,
+    .software = egl_software,
 };

@@ -115,10 +115,17 @@ static sb_proc osmesa_proc(void *self, const char *name)
     return osmesa->get_proc(name);
 }
 
+static bool osmesa_software(void *self)
+{
+    (void)self;
+    return true;
+}
+
 const struct sb_context_fns sb_context_osmesa = {
     .name = "osmesa",
     .help = "OSMesa: Mesa in software, drawing to memory; desktop OpenGL only",
     .open = osmesa_open,
     .close = osmesa_close,
     .proc = osmesa_proc,
+    .software = osmesa_software,
 };

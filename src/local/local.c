@@ -39,6 +39,8 @@ static void *open_runner(const struct sb_context_params *params, struct sb_caps 
     if (!sb_gl_load(local->context->proc, local->window, params->gles, &local->caps, err))
         goto no_entry_points;
     snprintf(local->caps.context, sizeof local->caps.context, "%s", local->context->name);
+    local->caps.software =
+        local->context->software && local->context->software(local->window);
     if (!sb_id_program_make(&local->id_program, local->caps.gles, err)) {
         close_runner(local);
         return NULL;

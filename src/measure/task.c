@@ -142,6 +142,8 @@ void sb_task_prepare(struct sb_task *task, const struct sb_prepare_params *param
         sb_task_fail(task, &err);
         return;
     }
+    if (params->renamed)
+        sb_assembly_rename(&task->assembly);
     sb_platform_record(&driver->caps, &task->assembly.job.variant);
     task->loaded =
         driver->fns->prepare(driver->runner, &task->assembly.job, &task->prepared);

@@ -80,6 +80,7 @@ struct sb_prepare_params {
     const struct sb_driver *driver;
     const char *data_dir, *shaders;
     bool movable_lights; // of sb_assemble_params
+    bool renamed;        // sb_assembly_rename
 };
 
 // Assembles and prepares: afterwards the task is loaded, or its status says why not.

@@ -43,7 +43,7 @@ const int sb_summary_column_count =
     sizeof sb_summary_columns / sizeof *sb_summary_columns;
 const int sb_case_column_count = sizeof sb_case_columns / sizeof *sb_case_columns;
 
-static void clear(void *row, const struct sb_column *columns, int count)
+void sb_columns_clear(void *row, const struct sb_column *columns, int count)
 {
     for (int i = 0; i < count; i++) {
         void *cell = (char *)row + columns[i].offset;
@@ -64,15 +64,15 @@ static void clear(void *row, const struct sb_column *columns, int count)
 
 void sb_row_init(struct sb_row *row)
 {
-    clear(row, sb_summary_columns, sb_summary_column_count);
+    sb_columns_clear(row, sb_summary_columns, sb_summary_column_count);
 }
 
 void sb_sample_row_init(struct sb_sample_row *row)
 {
-    clear(row, sb_sample_columns, sb_sample_column_count);
+    sb_columns_clear(row, sb_sample_columns, sb_sample_column_count);
 }
 
 void sb_case_row_init(struct sb_case_row *row)
 {
-    clear(row, sb_case_columns, sb_case_column_count);
+    sb_columns_clear(row, sb_case_columns, sb_case_column_count);
 }

@@ -56,6 +56,8 @@ extern const struct sb_column sb_summary_columns[];
 extern const struct sb_column sb_case_columns[];
 extern const int sb_sample_column_count, sb_summary_column_count, sb_case_column_count;
 
+// Makes every cell of a row absent.
+void sb_columns_clear(void *row, const struct sb_column *columns, int count);
 // A row with every cell absent.
 void sb_row_init(struct sb_row *row);
 void sb_sample_row_init(struct sb_sample_row *row);

@@ -1,4 +1,4 @@
-#include "results/case_file.h"
+#include "results/row_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -9,7 +9,9 @@
 #include "base/file.h"
 #include "results/csv.h"
 
-struct sb_case_file {
+struct sb_row_file {
+    const struct sb_column *column;
+    int column_count;
     int descriptor;
     const char *path;
     struct sb_text text; // scratch
@@ -33,7 +35,7 @@ static bool check_free(const char *path, struct sb_error *err)
 }
 
 // All of it, or nothing: a row that does not fit is cut off again.
-static bool append(struct sb_case_file *file, struct sb_error *err)
+static bool append(struct sb_row_file *file, struct sb_error *err)
 {
     const off_t before = lseek(file->descriptor, 0, SEEK_END);
     for (size_t done = 0; done < file->text.length;) {
@@ -53,13 +55,16 @@ static bool append(struct sb_case_file *file, struct sb_error *err)
     return true;
 }
 
-struct sb_case_file *sb_case_file_open(const char *dir, struct sb_error *err)
+struct sb_row_file *sb_row_file_open(const struct sb_row_file_params *params,
+                                     struct sb_error *err)
 {
-    if (!sb_dir_make(dir, err))
+    if (!sb_dir_make(params->dir, err))
         return NULL;
-    struct sb_case_file *file = sb_alloc(sizeof *file);
+    struct sb_row_file *file = sb_alloc(sizeof *file);
+    file->column = params->column;
+    file->column_count = params->column_count;
     file->descriptor = -1;
-    file->path = sb_path_join(&file->arena, dir, "cases.csv");
+    file->path = sb_path_join(&file->arena, params->dir, params->name);
     if (!check_free(file->path, err))
         goto error;
     file->descriptor = open(file->path, O_WRONLY | O_CREAT | O_TRUNC, 0666);
@@ -68,38 +73,41 @@ struct sb_case_file *sb_case_file_open(const char *dir, struct sb_error *err)
                 file->path, strerror(errno));
         goto error;
     }
-    sb_csv_header(&file->text, sb_case_columns, sb_case_column_count, NULL);
+    sb_csv_header(&file->text, file->column, file->column_count, NULL);
     if (append(file, err))
         return file;
 error:
-    sb_case_file_close(&file);
+    sb_row_file_close(&file);
     return NULL;
 }
 
-bool sb_case_file_add(struct sb_case_file *file, const struct sb_case_row *row,
-                      struct sb_error *err)
+bool sb_row_file_add(struct sb_row_file *file, const void *rows, int count, size_t size,
+                     struct sb_error *err)
 {
     sb_text_clear(&file->text);
-    sb_csv_row(&file->text, sb_case_columns, sb_case_column_count, NULL, row);
+    for (int i = 0; i < count; i++)
+        sb_csv_row(&file->text, file->column, file->column_count, NULL,
+                   (const char *)rows + (size_t)i * size);
     return append(file, err);
 }
 
-bool sb_case_file_replace(struct sb_case_file *file, const struct sb_case_row *rows,
-                          int count, struct sb_error *err)
+bool sb_row_file_replace(struct sb_row_file *file, const void *rows, int count,
+                         size_t size, struct sb_error *err)
 {
     sb_text_clear(&file->text);
-    sb_csv_header(&file->text, sb_case_columns, sb_case_column_count, NULL);
+    sb_csv_header(&file->text, file->column, file->column_count, NULL);
     for (int i = 0; i < count; i++)
-        sb_csv_row(&file->text, sb_case_columns, sb_case_column_count, NULL, &rows[i]);
+        sb_csv_row(&file->text, file->column, file->column_count, NULL,
+                   (const char *)rows + (size_t)i * size);
     return sb_file_replace(file->path, file->text.data, file->text.length, err);
 }
 
-const char *sb_case_file_path(const struct sb_case_file *file)
+const char *sb_row_file_path(const struct sb_row_file *file)
 {
     return file->path;
 }
 
-void sb_case_file_close(struct sb_case_file **file)
+void sb_row_file_close(struct sb_row_file **file)
 {
     if (!*file)
         return;
