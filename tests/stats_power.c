@@ -2,18 +2,12 @@
 
 #include <limits.h>
 
-#include "math/random.h"
+#include "noise.h"
 #include "stats/power.h"
 #include "stats/signed_rank.h"
 
 enum { MOST = 400 };
 static double d[MOST], scratch[MOST];
-
-static double normal(struct sb_random *random)
-{
-    const double u = 1 - sb_random_unit(random), v = sb_random_unit(random);
-    return sqrt(-2 * log(u)) * cos(2 * 3.14159265358979323846 * v);
-}
 
 static void spread_is_the_deviation_of_normal_values_and_bears_spikes(void **state)
 {
@@ -22,7 +16,7 @@ static void spread_is_the_deviation_of_normal_values_and_bears_spikes(void **sta
     double sum = 0;
     for (int trial = 0; trial < 200; trial++) {
         for (int i = 0; i < MOST; i++)
-            d[i] = i % 20 == 7 ? 1e9 : 5 + 0.04 * normal(&random);
+            d[i] = i % 20 == 7 ? 1e9 : 5 + 0.04 * normal_noise(&random);
         sum += sb_robust_spread(d, MOST, scratch) / 200;
     }
     check_close(sum, 0.04, 0.004); // a twentieth of spikes widens it a little
@@ -68,7 +62,7 @@ static void the_detectable_effect_is_found_with_the_power_asked_for(void **state
     int found = 0;
     for (int trial = 0; trial < TRIALS; trial++) {
         for (int i = 0; i < N; i++)
-            d[i] = .02 + effect + .04 * normal(&random);
+            d[i] = .02 + effect + .04 * normal_noise(&random);
         found += sb_signed_rank_p(d, N, .02, SB_GREATER, scratch) < .0005;
     }
     check_close((double)found / TRIALS, .9, .03);
