@@ -1,5 +1,6 @@
 #include "test.h"
 
+#include "math/random.h"
 #include "stats/series.h"
 
 static void a_level_series_does_not_drift(void **state)
@@ -39,6 +40,41 @@ static void quarters_of_uneven_series_share_no_sample(void **state)
     assert_true(isnan(sb_drift(values, 3, scratch)));
 }
 
+// Distinct values: Spearman's rho of a series and itself one later, up to the ends.
+static void rank_autocorrelation_is_that_of_the_ranks_whatever_the_values(void **state)
+{
+    (void)state;
+    const double rising[] = {1, 2, 3, 4, 1e9}, zigzag[] = {1, 9, 2, 8, 3};
+    const double tied[] = {7, 7, 1, 1};
+    double scratch[10];
+    // Ranks less their mean: -2 -1 0 1 2, then -2 2 -1 1 0, then 1 1 -1 -1.
+    check_close(sb_rank_autocorrelation(rising, 5, scratch), 4 / 10.0, 1e-15);
+    check_close(sb_rank_autocorrelation(zigzag, 5, scratch), -7 / 10.0, 1e-15);
+    check_close(sb_rank_autocorrelation(tied, 4, scratch), 1 / 4.0, 1e-15);
+    assert_true(isnan(sb_rank_autocorrelation(tied, 2, scratch)));
+    assert_true(isnan(sb_rank_autocorrelation(tied, 0, scratch)));
+}
+
+static void rank_autocorrelation_finds_that_of_a_series_with_spikes(void **state)
+{
+    (void)state;
+    struct sb_random random = sb_random_seed(3);
+    enum { N = 4000 };
+    static double values[N], scratch[2 * N];
+    for (int memory = 0; memory < 4; memory++) {
+        const double rho = 0.2 * memory;
+        double at = 0;
+        for (int i = 0; i < N; i++) {
+            double noise = -6; // of twelve uniform ones: nearly normal
+            for (int k = 0; k < 12; k++)
+                noise += sb_random_unit(&random);
+            at = rho * at + sqrt(1 - rho * rho) * noise;
+            values[i] = i % 100 == 99 ? 1e9 : at;
+        }
+        check_close(sb_rank_autocorrelation(values, N, scratch), rho, 0.06);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -46,6 +82,8 @@ int main(void)
         cmocka_unit_test(a_step_in_the_middle_is_the_drift),
         cmocka_unit_test(spikes_are_no_drift),
         cmocka_unit_test(quarters_of_uneven_series_share_no_sample),
+        cmocka_unit_test(rank_autocorrelation_is_that_of_the_ranks_whatever_the_values),
+        cmocka_unit_test(rank_autocorrelation_finds_that_of_a_series_with_spikes),
     };
     return run_tests(tests);
 }

@@ -1,4 +1,5 @@
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "stats/order.h"
@@ -12,6 +13,36 @@ double sb_sign_autocorrelation(const double *values, int n, double centre)
         products += before * sign;
         squares += sign * sign;
         before = sign;
+    }
+    return squares > 0 ? products / squares : NAN;
+}
+
+// How many of the sorted values are less than x; with `equal`, at most x.
+static int count_up_to(const double *sorted, int n, double x, bool equal)
+{
+    int lo = 0, hi = n;
+    while (lo < hi) {
+        const int middle = lo + (hi - lo) / 2;
+        if (sorted[middle] < x || (equal && !(sorted[middle] > x)))
+            lo = middle + 1;
+        else
+            hi = middle;
+    }
+    return lo;
+}
+
+double sb_rank_autocorrelation(const double *values, int n, double *scratch)
+{
+    double *sorted = scratch, *rank = scratch + n, products = 0, squares = 0;
+    memcpy(sorted, values, (size_t)n * sizeof *values);
+    sb_sort_doubles(sorted, n);
+    // Twice the distance of a midrank from the mean of all.
+    for (int i = 0; i < n; i++)
+        rank[i] = count_up_to(sorted, n, values[i], false) +
+                  count_up_to(sorted, n, values[i], true) - n;
+    for (int i = 0; i < n; i++) {
+        squares += rank[i] * rank[i];
+        products += i > 0 ? rank[i - 1] * rank[i] : 0;
     }
     return squares > 0 ? products / squares : NAN;
 }
