@@ -274,6 +274,8 @@ static void intervals_decide_where_they_lie(void **state)
             fail_msg("%g … %g is %s", table[i].lo, table[i].hi,
                      sb_run_verdict_rows[one_pair()->verdict].word);
         assert_int_equal(runs.worse, table[i].verdict == SB_RUN_HURT);
+        assert_int_equal(runs.moved, table[i].verdict == SB_RUN_HURT ||
+                                         table[i].verdict == SB_RUN_HELPED);
         assert_int_equal(runs.within, 1);
         if (!none) {
             check_close(one_pair()->ratio.lo, table[i].lo, 1e-14);
@@ -295,6 +297,7 @@ static void several_processes_count_by_their_medians(void **state)
     compare();
     assert_true(one_pair()->between);
     assert_int_equal(runs.within, 0);
+    assert_int_equal(runs.between, 1);
     assert_int_equal(one_pair()->verdict, SB_RUN_HURT);
     assert_int_equal(one_pair()->ratio.n, 6);
     check_close(log(one_pair()->ratio.point),
@@ -317,6 +320,7 @@ static void times_that_come_and_go_are_lost_and_gained(void **state)
     assert_int_equal(one_pair()->verdict, SB_RUN_LOST);
     assert_int_equal(one_pair()->status, SB_RUN_WORSE);
     assert_int_equal(runs.comparable, 1);
+    assert_int_equal(runs.within + runs.between, 0);
     assert_int_equal(runs.worse, 1);
     row->status = "accuracy_only";
     row->median_ms = NAN;
@@ -407,7 +411,10 @@ static void changed_code_is_known_where_both_have_a_hash(void **state)
     assert_int_equal(one_pair()->binary, SB_RUN_CODE_UNKNOWN);
     other->binary_hash = "8";
     other->source_hash = "6";
+    set_time(other, 3, 3, 3);
     compare();
+    assert_int_equal(one_pair()->verdict, SB_RUN_HURT);
+    assert_int_equal(runs.moved, 0);
     assert_int_equal(one_pair()->source, SB_RUN_CODE_CHANGED);
     assert_int_equal(one_pair()->binary, SB_RUN_CODE_CHANGED);
 }

@@ -234,6 +234,8 @@ static void two_runs_are_told_apart_row_by_row(void **state)
                    "lost, 1 gained, 0 refused\n");
     check_answer("compare @/a/summary.csv @/b/summary.csv --tolerance 60%", 0,
                  "0 hurt, 2 unchanged");
+    assert_null(strstr(answer.text, "have the same GLSL"));
+    check_answer("compare @/a @/b --tolerance 40%", 0, "1 hurt, 1 unchanged");
     check_answer("compare @/b @/a --tolerance 0.02", 0, "1 helped, 0 hurt");
 }
 
@@ -243,7 +245,9 @@ static void one_process_a_side_is_said_to_be_no_gate(void **state)
     (void)state;
     static struct answer answer;
     make_two_runs();
-    check_answer("compare @/a @/b -q", 0, "this is no gate: that is `shadebench gate`");
+    run_program(&answer, "compare @/a @/b -q");
+    check_contains(answer.text, "this is no gate: that is `shadebench gate`");
+    assert_null(strstr(answer.text, "Student's t"));
     read_rows("a/summary.csv");
     for (int i = 0; i < rows.count; i++) {
         rows.row[i].processes = 3;
@@ -253,13 +257,25 @@ static void one_process_a_side_is_said_to_be_no_gate(void **state)
     run_program(&answer, "compare @/three.csv @/three.csv");
     assert_int_equal(answer.code, 0);
     assert_null(strstr(answer.text, "no gate"));
-    check_contains(answer.text, "Student's t over the medians of the processes");
+    check_contains(answer.text, "Student's t over their medians");
     check_contains(answer.text, "no run.json: its machine is not known");
     json_t *json = run_json("compare @/three.csv @/three.csv --json", 0);
     const json_t *pair = json_array_get(json_object_get(json, "rows"), 0);
     assert_string_equal(json_string_value(json_object_get(pair, "ci_kind")),
                         "ci95_between_processes");
     json_decref(json);
+}
+
+// The same text twice: what differs is not the shader.
+static void rows_that_moved_without_a_change_are_counted(void **state)
+{
+    (void)state;
+    make_two_runs();
+    read_rows("a/summary.csv");
+    set_time(&rows.row[3], 2);
+    write_rows("moved.csv");
+    check_answer("compare @/a @/moved.csv", 0,
+                 "\n1 of those helped or hurt have the same GLSL in both runs");
 }
 
 static void check_ends_with_1_where_something_became_worse(void **state)
@@ -394,6 +410,7 @@ int main(void)
         cmocka_unit_test(axes_of_a_suite_are_read_from_its_copy),
         cmocka_unit_test(two_runs_are_told_apart_row_by_row),
         cmocka_unit_test(one_process_a_side_is_said_to_be_no_gate),
+        cmocka_unit_test(rows_that_moved_without_a_change_are_counted),
         cmocka_unit_test(check_ends_with_1_where_something_became_worse),
         cmocka_unit_test(two_runs_as_json_have_every_row_and_count),
         cmocka_unit_test(runs_of_other_conditions_are_refused_with_the_reason),

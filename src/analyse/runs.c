@@ -182,8 +182,11 @@ static void count_pair(struct sb_runs *runs, const struct sb_run_pair *pair)
         return;
     runs->comparable++;
     runs->within += !isnan(pair->ratio.point) && !pair->between;
+    runs->between += pair->between;
     runs->worse += pair->verdict == SB_RUN_HURT || pair->error == SB_RUN_WORSE ||
                    pair->status == SB_RUN_WORSE;
+    runs->moved += pair->source == SB_RUN_CODE_SAME &&
+                   (pair->verdict == SB_RUN_HURT || pair->verdict == SB_RUN_HELPED);
 }
 
 void sb_runs_compare(const struct sb_runs_params *params, struct sb_runs *runs)

@@ -62,8 +62,10 @@ struct sb_runs {
     struct sb_run_pair *pair; // A's rows in order, then those of B that A has not
     int count, of[SB_RUN_VERDICT_COUNT];
     int comparable; // pairs that were not refused
-    int within;     // of those, pairs whose interval is within one process a side
+    int within;     // of those, pairs with a ratio within one process a side,
+    int between;    // and with one between processes
     int worse;      // of those, pairs that are hurt, or worse in error or status
+    int moved;      // of those, pairs that are helped or hurt with the same source
     struct sb_arena arena;
 };
 

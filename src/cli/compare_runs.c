@@ -151,10 +151,12 @@ static void print_head(const struct comparison *all)
             "and not what\nothers would have had. Levels differ between processes by "
             "more than that (docs/method.md), so\nthis is no gate: that is `shadebench "
             "gate`, or here --processes 3 in both runs.\n");
-    if (all->runs.within < all->runs.comparable - all->runs.of[SB_RUN_UNTIMED])
-        printf(
-            "Several processes: Student's t over the medians of the processes, so what "
-            "differs between them is\nin the interval.\n");
+    if (all->runs.between)
+        printf("Several processes: Student's t over their medians. What differed between "
+               "the "
+               "processes of a run is\nin the interval; what the machine did between the "
+               "two "
+               "runs is not (docs/method.md).\n");
 }
 
 // What the table has columns for.
@@ -291,6 +293,11 @@ static void print_counts(const struct sb_runs *runs)
     for (int i = 0; i < SB_RUN_VERDICT_COUNT; i++)
         printf("%s%d %s", i ? ", " : "", runs->of[i], sb_run_verdict_rows[i].word);
     printf("\n");
+    if (runs->moved)
+        printf("%d of those helped or hurt have the same GLSL in both runs: what moved "
+               "there "
+               "is the processes'\nlevels, or the program around the shaders\n",
+               runs->moved);
 }
 
 static void print_text(const struct comparison *all)
@@ -364,9 +371,9 @@ static json_t *comparison_json(const struct comparison *all)
                             json_integer(all->runs.of[i]));
     for (int i = 0; i < all->runs.count; i++)
         json_array_append_new(list, pair_json(&all->runs.pair[i]));
-    return json_pack("{sssssfsosiso}", "a", all->a.compared.path, "b",
+    return json_pack("{sssssfsosisiso}", "a", all->a.compared.path, "b",
                      all->b.compared.path, "tolerance", all->tolerance, "counts", counts,
-                     "worse", all->runs.worse, "rows", list);
+                     "worse", all->runs.worse, "moved", all->runs.moved, "rows", list);
 }
 
 static int report(const struct comparison *all)
