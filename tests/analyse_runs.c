@@ -133,6 +133,36 @@ static void rows_are_matched_by_scene_and_id_in_any_order(void **state)
     assert_int_equal(runs.worse, 0);
 }
 
+// The same id in every scene, in every order.
+static void scenes_are_told_apart_where_ids_are_not(void **state)
+{
+    (void)state;
+    static const char *const scenes[] = {"room", "hall", "attic", "yard"};
+    for (int turn = 0; turn < 4; turn++) {
+        set_up(state);
+        for (int i = 0; i < 4; i++) {
+            add(&a, "point=2")->scene = scenes[i];
+            add(&b, "point=2")->scene = scenes[(i + turn) % 4];
+        }
+        compare();
+        assert_int_equal(runs.count, 4);
+        for (int i = 0; i < 4; i++)
+            assert_string_equal(runs.pair[i].b->scene, scenes[i]);
+    }
+}
+
+static void a_row_has_one_partner(void **state)
+{
+    (void)state;
+    add(&a, "point=2");
+    add(&a, "point=2");
+    add(&b, "point=2");
+    compare();
+    assert_int_equal(runs.count, 2);
+    assert_int_equal(runs.pair[0].verdict, SB_RUN_UNCHANGED);
+    assert_int_equal(runs.pair[1].verdict, SB_RUN_LOST);
+}
+
 // Their ids say so, and have nothing in common.
 static void a_run_of_another_size_or_threads_is_refused_row_by_row(void **state)
 {
@@ -424,6 +454,8 @@ int main(void)
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
     const struct CMUnitTest tests[] = {
         TEST(rows_are_matched_by_scene_and_id_in_any_order),
+        TEST(scenes_are_told_apart_where_ids_are_not),
+        TEST(a_row_has_one_partner),
         TEST(a_run_of_another_size_or_threads_is_refused_row_by_row),
         TEST(another_way_of_doing_it_compares_and_is_named),
         TEST(an_axis_that_one_run_alone_has_matches_every_value),

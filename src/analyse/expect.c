@@ -81,9 +81,9 @@ static bool read_limit(const char *word, double *limit)
         return false;
     if (!slash)
         return true;
-    if (!sb_parse_number(slash + 1, &below) || below == 0)
+    if (!sb_parse_number(slash + 1, &below))
         return false;
-    *limit /= below;
+    *limit /= below; // 0 makes no finite number
     return isfinite(*limit);
 }
 
