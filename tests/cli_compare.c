@@ -182,13 +182,173 @@ static void axes_of_a_suite_are_read_from_its_copy(void **state)
     check_answer("compare --pareto @/own", 2, "only built-in axes are known");
 }
 
+// --- two runs -------------------------------------------------------------------------------
+
+// B has a row that is slower, one without a time, one that A has not, and lacks one.
+static void make_two_runs(void)
+{
+    static struct answer answer;
+    static bool made;
+    if (made)
+        return;
+    run_program(&answer, RUN "-o @/a --sweep point=1,2,3,4");
+    assert_int_equal(answer.code, 0);
+    run_program(&answer, RUN "-o @/b --sweep point=1,2,3,5");
+    assert_int_equal(answer.code, 0);
+    read_rows("a/summary.csv");
+    for (int i = 0; i < 4; i++) {
+        set_time(&rows.row[i], 1);
+        set_error(&rows.row[i], .01);
+    }
+    write_rows("a/summary.csv");
+    read_rows("b/summary.csv");
+    set_time(&rows.row[0], 1);
+    rows.row[0].ci_lo_ms = .995;
+    rows.row[0].ci_hi_ms = 1.005;
+    set_time(&rows.row[1], 1.5);
+    rows.row[1].source_hash = "0";
+    rows.row[2].status = "dead_light";
+    set_error(&rows.row[2], .02);
+    write_rows("b/summary.csv");
+    made = true;
+}
+
+static void two_runs_are_told_apart_row_by_row(void **state)
+{
+    (void)state;
+    static struct answer answer;
+    make_two_runs();
+    run_program(&answer, "compare @/a @/b");
+    assert_int_equal(answer.code, 0);
+    check_contains(answer.text,
+                   "\n    1  1.000  1.000  1.000  0.989 … 1.011  unchanged  same ");
+    check_contains(answer.text,
+                   "\n    2  1.000  1.500  1.500  1.479 … 1.521  hurt       changed ");
+    check_contains(strstr(answer.text, "\n    3 "), "lost       same ");
+    check_contains(strstr(answer.text, "\n    3 "),
+                   " 0.01       0.02  worse  ok > dead_light\n");
+    check_contains(strstr(answer.text, "\n    4 "), "lost ");
+    check_contains(strstr(answer.text, "\n    5 "), "gained ");
+    check_contains(answer.text,
+                   "\n0 helped, 1 hurt, 1 unchanged, 0 unclear, 0 untimed, 2 "
+                   "lost, 1 gained, 0 refused\n");
+    check_answer("compare @/a/summary.csv @/b/summary.csv --tolerance 60%", 0,
+                 "0 hurt, 2 unchanged");
+    assert_null(strstr(answer.text, "have the same GLSL"));
+    check_answer("compare @/a @/b --tolerance 40%", 0, "1 hurt, 1 unchanged");
+    check_answer("compare @/b @/a --tolerance 0.02", 0, "1 helped, 0 hurt");
+}
+
+// What is said of one process a side must not be read as a verdict on the code.
+static void one_process_a_side_is_said_to_be_no_gate(void **state)
+{
+    (void)state;
+    static struct answer answer;
+    make_two_runs();
+    run_program(&answer, "compare @/a @/b -q");
+    check_contains(answer.text, "this is no gate: that is `shadebench gate`");
+    assert_null(strstr(answer.text, "Student's t"));
+    read_rows("a/summary.csv");
+    for (int i = 0; i < rows.count; i++) {
+        rows.row[i].processes = 3;
+        rows.row[i].ci_kind = "ci95_between_processes";
+    }
+    write_rows("three.csv");
+    run_program(&answer, "compare @/three.csv @/three.csv");
+    assert_int_equal(answer.code, 0);
+    assert_null(strstr(answer.text, "no gate"));
+    check_contains(answer.text, "Student's t over their medians");
+    check_contains(answer.text, "no run.json: its machine is not known");
+    json_t *json = run_json("compare @/three.csv @/three.csv --json", 0);
+    const json_t *pair = json_array_get(json_object_get(json, "rows"), 0);
+    assert_string_equal(json_string_value(json_object_get(pair, "ci_kind")),
+                        "ci95_between_processes");
+    json_decref(json);
+}
+
+// The same text twice: what differs is not the shader.
+static void rows_that_moved_without_a_change_are_counted(void **state)
+{
+    (void)state;
+    make_two_runs();
+    read_rows("a/summary.csv");
+    set_time(&rows.row[3], 2);
+    write_rows("moved.csv");
+    check_answer("compare @/a @/moved.csv", 0,
+                 "\n1 of those helped or hurt have the same GLSL in both runs");
+}
+
+static void check_ends_with_1_where_something_became_worse(void **state)
+{
+    (void)state;
+    make_two_runs();
+    check_answer("compare @/a @/b --check", 1, "1 hurt");
+    check_answer("compare @/a @/b --check --tolerance 60%", 1, "0 hurt"); // dead_light
+    check_answer("compare @/b @/a --check", 0, "1 helped");
+    check_answer("compare @/a @/a --check", 0, "4 unchanged");
+}
+
+static void two_runs_as_json_have_every_row_and_count(void **state)
+{
+    (void)state;
+    make_two_runs();
+    json_t *json = run_json("compare @/a @/b --check --json", 1);
+    const json_t *list = json_object_get(json, "rows"), *pair = json_array_get(list, 1);
+    assert_int_equal(json_array_size(list), 5);
+    check_close(json_number_value(json_object_get(json, "tolerance")), .02, 0);
+    check_close(json_number_value(json_object_get(json, "worse")), 2, 0);
+    assert_int_equal(
+        json_integer_value(json_object_get(json_object_get(json, "counts"), "lost")), 2);
+    check_close(json_number_value(json_object_get(pair, "ratio")), 1.5, 1e-12);
+    assert_string_equal(json_string_value(json_object_get(pair, "verdict")), "hurt");
+    assert_string_equal(json_string_value(json_object_get(pair, "source")), "changed");
+    assert_string_equal(
+        json_string_value(json_object_get(json_object_get(pair, "b"), "source_hash")),
+        "0");
+    assert_true(json_is_null(json_object_get(json_array_get(list, 4), "a")));
+    assert_true(json_is_null(json_object_get(json_array_get(list, 3), "ratio")));
+    json_decref(json);
+}
+
+static void runs_of_other_conditions_are_refused_with_the_reason(void **state)
+{
+    (void)state;
+    static struct answer answer;
+    make_two_runs();
+    run_program(&answer, RUN "-o @/small --set width=64 --sweep point=1,2,3,4");
+    assert_int_equal(answer.code, 0);
+    check_answer("compare @/a @/small", 2,
+                 "nothing to compare: 4 rows of other conditions, the first, ");
+    check_answer("compare @/a @/small", 2, ": width 256 | 64");
+    check_answer("compare @/a @/small --force", 0, " (forced)");
+    check_answer("compare @/a @/small --force", 0, " and 3 more: width 256 | 64");
+    check_answer("compare @/a @/nowhere", 2, "there is no such folder or file");
+    // Threads that the driver was told by the environment stand in run.json alone.
+    run_shell(&answer,
+              "cp -r @/a @/told && sed -i 's/\"environment\": {/&\"LP_NUM_THREADS\":"
+              " \"3\",/' @/told/run.json");
+    assert_int_equal(answer.code, 0);
+    check_answer("compare @/told @/a", 2, ": LP_NUM_THREADS 3 | none");
+    run_program(&answer, RUN
+                "-o @/other --scene sphere --sweep spot=1..2 --cross model=phong,blinn");
+    assert_int_equal(answer.code, 0);
+    run_program(&answer, RUN "-o @/third --cross point=3..4 --cross dir=7..8");
+    assert_int_equal(answer.code, 0);
+    check_answer("compare @/other @/third", 2, "have no row in common");
+}
+
 static void words_that_are_wrong_are_answered_in_one_line(void **state)
 {
     (void)state;
     make_run();
-    check_answer("compare", 2, "compare what? valid: compare --pareto RESULTS");
-    check_answer("compare @/run", 2, "compare what?");
-    check_answer("compare @/run @/run", 2, "not implemented yet");
+    check_answer("compare", 2, "valid: compare A B, compare --pareto RESULTS, ");
+    check_answer("compare @/run", 2, "/run with what? valid: compare A B, ");
+    check_answer("compare @/run @/run @/runs", 2, "/runs\" is one too many");
+    check_answer("compare --pareto --check @/run", 2, "--check goes with two runs");
+    check_answer("compare --force --terms @/run", 2, "--force goes with two runs");
+    check_answer("compare @/run @/run --tolerance 2", 2, "2: a share is wanted");
+    check_answer("compare @/run @/run --tolerance -1%", 2, "-1%: a share is wanted");
+    check_answer("compare @/run @/run --tolerance ''", 2, "a share is wanted");
     check_answer("compare --pareto", 2, "wants a results folder");
     check_answer("compare --pareto @/run @/terms", 2, "takes one run");
     check_answer("compare --pareto --terms @/run", 2, "not both");
@@ -248,6 +408,12 @@ int main(void)
         cmocka_unit_test(the_table_of_run_shows_errors_and_the_front_where_there_are_any),
         cmocka_unit_test(terms_prices_the_suite_of_that_name),
         cmocka_unit_test(axes_of_a_suite_are_read_from_its_copy),
+        cmocka_unit_test(two_runs_are_told_apart_row_by_row),
+        cmocka_unit_test(one_process_a_side_is_said_to_be_no_gate),
+        cmocka_unit_test(rows_that_moved_without_a_change_are_counted),
+        cmocka_unit_test(check_ends_with_1_where_something_became_worse),
+        cmocka_unit_test(two_runs_as_json_have_every_row_and_count),
+        cmocka_unit_test(runs_of_other_conditions_are_refused_with_the_reason),
         cmocka_unit_test(words_that_are_wrong_are_answered_in_one_line),
         cmocka_unit_test(results_that_are_none_are_answered_with_file_and_line),
         cmocka_unit_test(other_columns_than_todays_do_no_harm),

@@ -19,7 +19,10 @@ static const char whole[] =
     "  - name: curve\n    kind: quality\n    define: CURVE\n"
     "    values: [linear, {name: cubic, text: c3}]\n"
     "  - {name: taps, kind: scene, define: TAPS, min: 0, max: 9, init: 2, whole: true,\n"
-    "     when: curve=cubic | point>2}\n";
+    "     when: curve=cubic | point>2}\n"
+    "expect:\n"
+    "  - where: {point: [1, 8..12], scene: sphere}\n    max_err: \"<= 2/255\"\n"
+    "  - {nonfinite: 0, status: ok}\n";
 enum { SIZE = sizeof whole - 1 };
 
 static void try_bytes(const char *bytes, size_t size)

@@ -77,33 +77,59 @@ static void list_ways(const char *before, const char *after, struct sb_text *tex
         sb_text_printf(text, "%s%s%s%s", i ? ", " : "", before, ways[i].option, after);
 }
 
-// Exactly one; NULL with SB_USAGE. Two results folders side by side are to come: `compare A B`.
-static const struct way *find_way(const struct sb_options *options, struct sb_error *err)
+// What only `compare A B` has.
+static const char *option_of_runs(const struct sb_options *options)
 {
-    struct sb_text valid = {0};
-    const struct way *way = NULL, *second = NULL;
-    for (int i = 0; i < WAYS; i++)
-        if (*(const bool *)((const char *)options + ways[i].flag)) {
-            second = way ? &ways[i] : second;
-            way = way ? way : &ways[i];
-        }
-    list_ways("compare ", " RESULTS", &valid);
-    if (second)
-        sb_fail(err, SB_USAGE, "%s or %s, not both", way->option, second->option);
-    else if (!way && options->word_count == 2)
-        sb_fail(err, SB_NOT_IMPLEMENTED,
-                "compare %s %s: comparing two runs is not implemented yet; valid: %s",
-                options->word[0], options->word[1], sb_text_get(&valid));
-    else if (!way)
-        sb_fail(err, SB_USAGE, "compare what? valid: %s", sb_text_get(&valid));
-    else if (options->word_count == 0)
+    return options->check       ? "--check"
+           : options->force     ? "--force"
+           : options->tolerance ? "--tolerance"
+                                : NULL;
+}
+
+// SB_USAGE: neither two runs, nor a way and one.
+static void fail_words(const struct sb_options *options, const struct way *way,
+                       const char *valid, struct sb_error *err)
+{
+    if (way && options->word_count == 0)
         sb_fail(err, SB_USAGE, "compare %s wants a results folder or its summary.csv",
                 way->option);
-    else if (options->word_count > 1)
+    else if (way)
         sb_fail(err, SB_USAGE, "compare %s takes one run; \"%s\" is one too many",
                 way->option, options->word[1]);
+    else if (options->word_count == 0)
+        sb_fail(err, SB_USAGE, "compare what? valid: %s", valid);
+    else if (options->word_count == 1)
+        sb_fail(err, SB_USAGE, "compare %s with what? valid: %s", options->word[0],
+                valid);
+    else
+        sb_fail(err, SB_USAGE, "compare takes two runs; \"%s\" is one too many",
+                options->word[2]);
+}
+
+// Whether the options say what to compare. *way is NULL for two runs side by side.
+static bool find_way(const struct sb_options *options, const struct way **way,
+                     struct sb_error *err)
+{
+    struct sb_text valid = {0};
+    const struct way *second = NULL;
+    *way = NULL;
+    for (int i = 0; i < WAYS; i++)
+        if (*(const bool *)((const char *)options + ways[i].flag)) {
+            second = *way ? &ways[i] : second;
+            *way = *way ? *way : &ways[i];
+        }
+    sb_text_add(&valid, "compare A B, ");
+    list_ways("compare ", " RESULTS", &valid);
+    const bool good = !second && options->word_count == (*way ? 1 : 2);
+    if (second)
+        sb_fail(err, SB_USAGE, "%s or %s, not both", (*way)->option, second->option);
+    else if (!good)
+        fail_words(options, *way, sb_text_get(&valid), err);
     sb_text_free(&valid);
-    return second || options->word_count != 1 ? NULL : way;
+    if (good && *way && option_of_runs(options))
+        return sb_fail(err, SB_USAGE, "%s goes with two runs, compare A B, not with %s",
+                       option_of_runs(options), (*way)->option);
+    return good;
 }
 
 int sb_cmd_compare(const struct sb_options *options, int argc, char **argv)
@@ -113,9 +139,13 @@ int sb_cmd_compare(const struct sb_options *options, int argc, char **argv)
     struct sb_error err = {0};
     struct sb_arena arena = {0};
     struct sb_compared compared = {0};
-    const struct way *way = find_way(options, &err);
+    const struct way *way;
     int code;
-    if (!way || !sb_results_load(options, options->word[0], &compared, &arena, &err))
+    if (!find_way(options, &way, &err))
+        code = sb_cli_fail(&err);
+    else if (!way)
+        code = sb_compare_runs(options);
+    else if (!sb_results_load(options, options->word[0], &compared, &arena, &err))
         code = sb_cli_fail(&err);
     else
         code = way->run(options, &compared);

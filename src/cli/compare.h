@@ -9,6 +9,9 @@ int sb_compare_terms(const struct sb_options *options, struct sb_compared *compa
 int sb_compare_policies(const struct sb_options *options, struct sb_compared *compared);
 int sb_compare_ablation(const struct sb_options *options, struct sb_compared *compared);
 
+// `compare A B`: words 0 and 1 of the options. Judges them, and returns the exit code.
+int sb_compare_runs(const struct sb_options *options);
+
 // Does the axis print in other words in some of the rows? Moot counts as a word.
 bool sb_compare_varies(const struct sb_compared *compared, int axis);
 

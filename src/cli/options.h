@@ -17,10 +17,10 @@ struct sb_assignments {
 struct sb_options {
     const char *data, *shaders, *preset, *scene, *output, *resume, *timer, *device, *dump,
         *pixel, *form, *precision, *search, *seed, *programs, *demands, *costs, *ms,
-        *program_cache, *worker, *worker_limit;
+        *program_cache, *worker, *worker_limit, *tolerance;
     bool json, quiet, verbose, help, images, validate, classes, pareto, terms, all,
         breaking, time, payback, ablate, policies, ablation, effects, exhaustive,
-        in_process;
+        in_process, force, check, fail_on_inconclusive;
     struct sb_assignments set, sweep, cross, setting;
     const char *word[SB_WORDS_MAX]; // what is no option
     int word_count;

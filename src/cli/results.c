@@ -50,6 +50,7 @@ bool sb_results_load(const struct sb_options *options, const char *word,
                        "summary.csv is wanted",
                        word);
     }
+    compared->folder = folder;
     load_axes(options, folder, compared, arena);
     return sb_rows_read(compared->path, compared->axes, &compared->rows, err);
 }

@@ -6,13 +6,14 @@
 
 struct sb_compared {
     const char *path;      // of summary.csv
+    const char *folder;    // that it lies in
     struct sb_suite suite; // the folder's copy; empty without one
     const struct sb_axes *axes;
     struct sb_rows rows;
 };
 
 // `word` is a results folder or its summary.csv. *compared must be zeroed; free also after
-// failure. The path lives in the arena.
+// failure. The paths live in the arena.
 bool sb_results_load(const struct sb_options *options, const char *word,
                      struct sb_compared *compared, struct sb_arena *arena,
                      struct sb_error *err);

@@ -9,7 +9,7 @@
 #include "assemble/ablate.h"
 #include "base/file.h"
 #include "base/log.h"
-#include "cli/common.h"
+#include "cli/expect.h"
 #include "cli/report.h"
 #include "measure/interrupt.h"
 #include "measure/run.h"
@@ -95,6 +95,8 @@ static bool load_earlier_options(const struct sb_options *now, struct sb_options
     // How to tell it is asked anew each time.
     options->json = now->json;
     options->quiet = now->quiet;
+    options->check |= now->check;
+    options->fail_on_inconclusive |= now->fail_on_inconclusive;
     sb_log_set_level(now->quiet     ? SB_LOG_QUIET
                      : now->verbose ? SB_LOG_VERBOSE
                                     : SB_LOG_NORMAL);
@@ -134,6 +136,10 @@ static int next_process(const char *dir, const struct sb_options *options,
         words[count++] = (char *)"--json";
     if (options->quiet)
         words[count++] = (char *)"--quiet";
+    if (options->check) // given now, it is not among the arguments of the first start
+        words[count++] = (char *)"--check";
+    if (options->fail_on_inconclusive)
+        words[count++] = (char *)"--fail-on-inconclusive";
     if (options->data) {
         words[count++] = (char *)"--data";
         words[count++] = (char *)options->data;
@@ -169,8 +175,10 @@ static void print_head(const struct sb_suite *suite, const struct sb_row *row,
                               : "; between processes they may by more: --processes 3");
 }
 
+// `expected` is NULL where nothing was judged.
 static void print_results(const struct sb_options *options, const struct sb_suite *suite,
-                          const struct sb_run_result *result, const char *dir,
+                          const struct sb_run_result *result,
+                          const struct sb_expected *expected, const char *dir,
                           bool written)
 {
     if (options->json) {
@@ -179,6 +187,8 @@ static void print_results(const struct sb_options *options, const struct sb_suit
         json_object_set_new(object, "interrupted", json_boolean(result->interrupted));
         json_object_set_new(object, "rows",
                             sb_report_json(&suite->axes, result->row, result->row_count));
+        if (expected)
+            json_object_set_new(object, "expected", sb_cli_expect_json(expected));
         sb_cli_print_json(object);
         return;
     }
@@ -197,6 +207,8 @@ static void print_results(const struct sb_options *options, const struct sb_suit
     sb_report_table(&suite->axes, result->row, result->row_count);
     sb_report_policies(&suite->axes, result->row, result->row_count);
     sb_report_ablation(&suite->axes, result->row, result->row_count);
+    if (expected)
+        sb_cli_expect_print(expected);
     if (written)
         printf("\nresults: %s/summary.csv\n", dir);
     if (result->interrupted)
@@ -209,6 +221,7 @@ static int run_suite(const struct sb_options *options, json_t *arguments,
     struct sb_error err = {0};
     struct sb_suite suite = {0};
     struct sb_run_result result = {0};
+    struct sb_expected expected = {0};
     struct sb_driver_params driver;
     int code;
     const char *path = NULL, *dir = NULL;
@@ -229,6 +242,7 @@ static int run_suite(const struct sb_options *options, json_t *arguments,
         return sb_cli_fail(&err);
 
     bool good = sb_cli_load_suite(options, path, data, &suite, &err) &&
+                sb_cli_expect(options, &suite, &expected, &err) &&
                 sb_cli_driver_params(options, &suite, &driver, &err);
     if (good && options->ablate)
         sb_ablate(&suite);
@@ -252,10 +266,17 @@ static int run_suite(const struct sb_options *options, json_t *arguments,
     }
     const bool more = good && !result.interrupted &&
                       result.processes_done < (int)suite.measure.processes;
+    // What an interrupted run has not measured is no miss.
+    const bool judged = options->check && result.row && !result.interrupted && !more;
+    if (judged)
+        sb_expect_check(&expected, result.row, result.row_count);
     if (result.row && !more)
-        print_results(options, &suite, &result, dir, good);
+        print_results(options, &suite, &result, judged ? &expected : NULL, dir, good);
     code =
         good ? result.exit_code : sb_exit_code_worse(result.exit_code, sb_cli_fail(&err));
+    if (judged)
+        code = sb_exit_code_worse(code, sb_cli_expect_code(options, &expected));
+    sb_expect_free(&expected);
     sb_run_result_free(&result);
     sb_suite_free(&suite);
     return more ? next_process(dir, options, &err) : code;

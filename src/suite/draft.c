@@ -22,10 +22,10 @@ static bool check_parts(const struct sb_yaml *parts, struct sb_error *err)
 
 bool sb_draft_keys(const struct sb_yaml *root, bool preset, struct sb_error *err)
 {
-    static const char *const keys[] = {"suite",  "about",   "scene", "target",
-                                       "base",   "exclude", "axes",  "measure",
-                                       "preset", "sweep",   "cross", "parts"};
-    const int count = COUNT(keys) - (preset ? 4 : 0);
+    static const char *const keys[] = {"suite",   "about", "scene",   "target", "base",
+                                       "exclude", "axes",  "measure", "preset", "sweep",
+                                       "cross",   "parts", "expect"};
+    const int count = COUNT(keys) - (preset ? 5 : 0);
     if (!sb_yaml_keys(root, keys, count, err))
         return false;
     const struct sb_yaml *name = sb_yaml_get(root, "suite");
@@ -48,10 +48,8 @@ bool sb_suite_name_valid(const char *name)
     return *name && strspn(name, valid) == strlen(name);
 }
 
-// A text or a list of texts, appended to (*list, *count).
-static bool read_texts(const struct sb_yaml *node, const char *what,
-                       struct sb_arena *arena, const char *const **list, int *count,
-                       struct sb_error *err)
+bool sb_draft_texts(const struct sb_yaml *node, const char *what, struct sb_arena *arena,
+                    const char *const **list, int *count, struct sb_error *err)
 {
     const struct sb_yaml *item = node->kind == SB_YAML_LIST ? node->child : node;
     const int more = node->kind == SB_YAML_LIST ? node->count : 1;
@@ -74,8 +72,8 @@ static bool read_scene(const struct sb_yaml *node, struct sb_suite *suite,
                        struct sb_draft *draft, struct sb_error *err)
 {
     draft->scene_count = 0; // a suite's scenes stand in place of its preset's
-    if (!read_texts(node, "scene", &suite->arena, &draft->scene, &draft->scene_count,
-                    err))
+    if (!sb_draft_texts(node, "scene", &suite->arena, &draft->scene, &draft->scene_count,
+                        err))
         return false;
     return draft->scene_count > 0 || sb_yaml_fail(node, err, "scene: an empty list");
 }
@@ -84,8 +82,8 @@ static bool read_exclude(const struct sb_yaml *node, struct sb_suite *suite,
                          struct sb_draft *draft, struct sb_error *err)
 {
     const int before = draft->exclude_count;
-    if (!read_texts(node, "exclude", &suite->arena, &draft->exclude,
-                    &draft->exclude_count, err))
+    if (!sb_draft_texts(node, "exclude", &suite->arena, &draft->exclude,
+                        &draft->exclude_count, err))
         return false;
     for (int i = before; i < draft->exclude_count; i++)
         if (!sb_condition_check(&suite->axes, draft->exclude[i], err))
@@ -167,6 +165,20 @@ static bool add_dimension(struct sb_suite *suite, const struct sb_draft *draft,
     return true;
 }
 
+bool sb_draft_values(const struct sb_yaml *node, const struct sb_axes *axes, int axis,
+                     struct sb_values *values, struct sb_error *err)
+{
+    const bool list = node->kind == SB_YAML_LIST;
+    const struct sb_yaml *const item = list ? node->child : node;
+    for (int k = 0; k < (list ? node->count : 1); k++) {
+        if (!sb_yaml_expect(&item[k], SB_YAML_TEXT, "a value", err))
+            return false;
+        if (!sb_values_add(axes, axis, item[k].text, values, err))
+            return sb_yaml_prefix(&item[k], err);
+    }
+    return true;
+}
+
 static bool read_dimensions(const struct sb_yaml *map, const char *what,
                             struct sb_suite *suite, struct sb_draft *draft,
                             struct sb_dimensions *to, struct sb_error *err)
@@ -174,20 +186,12 @@ static bool read_dimensions(const struct sb_yaml *map, const char *what,
     if (!sb_yaml_expect(map, SB_YAML_MAP, what, err))
         return false;
     for (int i = 0; i < map->count; i++) {
-        const struct sb_yaml *const node = &map->child[i];
         const int axis = sb_axes_expect(&suite->axes, map->key[i].text, err);
         if (axis < 0)
             return sb_yaml_prefix(&map->key[i], err);
-        const bool list = node->kind == SB_YAML_LIST;
-        const struct sb_yaml *const item = list ? node->child : node;
-        const int count = list ? node->count : 1;
         struct sb_values values = {.count = 0};
-        for (int k = 0; k < count; k++) {
-            if (!sb_yaml_expect(&item[k], SB_YAML_TEXT, "a value", err))
-                return false;
-            if (!sb_values_add(&suite->axes, axis, item[k].text, &values, err))
-                return sb_yaml_prefix(&item[k], err);
-        }
+        if (!sb_draft_values(&map->child[i], &suite->axes, axis, &values, err))
+            return false;
         if (!add_dimension(suite, draft, to, axis, &values, err))
             return sb_yaml_prefix(&map->key[i], err);
     }

@@ -37,6 +37,18 @@ bool sb_draft_axes(const struct sb_yaml *root, struct sb_suite *suite,
 bool sb_draft_head(const struct sb_yaml *root, struct sb_suite *suite,
                    struct sb_error *err);
 
+// Reads `expect:` into `suite`, whose axes are complete.
+bool sb_draft_expect(const struct sb_yaml *root, struct sb_suite *suite,
+                     struct sb_error *err);
+
+// A text or a list of texts, none of them empty, appended to (*list, *count).
+bool sb_draft_texts(const struct sb_yaml *node, const char *what, struct sb_arena *arena,
+                    const char *const **list, int *count, struct sb_error *err);
+
+// The values of an axis, a word, a range or a list of them, appended to `values`.
+bool sb_draft_values(const struct sb_yaml *node, const struct sb_axes *axes, int axis,
+                     struct sb_values *values, struct sb_error *err);
+
 // Reads the keys of a plan, of a preset, a suite or a part, into `draft`, over what is there.
 bool sb_draft_read(const struct sb_yaml *root, struct sb_suite *suite,
                    struct sb_draft *draft, struct sb_error *err);

@@ -157,7 +157,8 @@ static bool load(const struct sb_suite_params *params, struct sb_suite *suite,
     for (int i = 0; i < files.preset_count; i++)
         if (!sb_draft_axes(files.preset[i], suite, err))
             return false;
-    if (files.suite && !sb_draft_axes(files.suite, suite, err))
+    if (files.suite && (!sb_draft_axes(files.suite, suite, err) ||
+                        !sb_draft_expect(files.suite, suite, err)))
         return false;
     return read_heads(&files, suite, err) && add_plans(params, &files, suite, err);
 }

@@ -25,6 +25,8 @@
 //       - {name: curve, kind: quality, define: CURVE, values: [linear, cubic],
 //          init: cubic, when: taps>1, needs: stage=fragment, help: which curve}
 //     A value may be a map, too: {name: linear, text: what CURVE expands to, help: ...}.
+//     expect:                            what `run --check` judges: a column of summary.csv each
+//       - {where: {point: [1, 8], scene: room}, max_err: "<= 2/255", nonfinite: 0}
 //
 // The id of an entry under a preset begins with the preset's name, and goes on with what was
 // given besides: `delphi`, `delphi,stage=vertex`. What the preset itself gives is left out.
@@ -60,14 +62,32 @@ struct sb_plan_entry {
     char *id;                  // sb_variant_id of it, behind the name of the preset
 };
 
+// One column of an item of `expect:`. What columns there are is not known here: the words are kept
+// with where they stood, "file:line:column", for whoever knows.
+struct sb_expect_axis { // the row has one of these values, as it was drawn
+    int axis;
+    const double *value;
+    int count;
+};
+struct sb_expectation {
+    const char *const *scene; // of these,
+    int scene_count;          // or with 0 of any scene
+    const struct sb_expect_axis *axis;
+    int axis_count;
+    const char *column, *column_at; // "max_err"
+    const char *bound, *bound_at;   // "<= 2/255"
+};
+
 struct sb_suite {
     const char *name, *about;
     struct sb_axes axes; // built-in rows and the suite's own
     struct sb_measure_settings measure;
     struct sb_plan_entry *entry;
     int entry_count;
-    int duplicates;        // entries dropped because an equal one stands before them
-    int excluded;          // entries dropped by `exclude`
+    int duplicates; // entries dropped because an equal one stands before them
+    int excluded;   // entries dropped by `exclude`
+    const struct sb_expectation *expect;
+    int expect_count;
     struct sb_arena arena; // owns all of the above
 };
 
