@@ -109,6 +109,11 @@ bool sb_driver_open(const struct sb_driver_params *params, struct sb_driver *dri
     return false;
 }
 
+bool sb_driver_prove(struct sb_driver *driver, const char *timer, struct sb_error *err)
+{
+    return audit(driver, timer, err) && sb_driver_use_timer(driver, timer, err);
+}
+
 void sb_driver_close(struct sb_driver *driver)
 {
     if (driver->runner)

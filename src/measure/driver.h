@@ -39,6 +39,10 @@ int sb_driver_workers(const struct sb_driver *driver);
 bool sb_driver_connect(const struct sb_driver_params *params, struct sb_driver *driver,
                        struct sb_error *err);
 
+// Audits a connected driver's timers and uses one of them: by name, or the first credible one (NULL,
+// "auto"). SB_NO_TIMER tells why there is none.
+bool sb_driver_prove(struct sb_driver *driver, const char *timer, struct sb_error *err);
+
 // Finds out what a connected driver does with precision qualifiers; sb_driver_open has.
 bool sb_driver_probe(struct sb_driver *driver, struct sb_error *err);
 

@@ -92,7 +92,7 @@ double sb_sample_frame_ms(const struct sb_sample_row *row)
 
 void sb_task_free(struct sb_task *task, const struct sb_driver *driver)
 {
-    if (task->loaded)
+    if (task->loaded && driver->runner)
         driver->fns->release(driver->runner, task->assembly.job.id);
     free(task->prepared.log);
     free(task->sample);

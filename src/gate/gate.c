@@ -1,0 +1,380 @@
+#include "gate/gate.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/clock.h"
+#include "base/log.h"
+#include "gate/state.h"
+#include "measure/interrupt.h"
+#include "stats/paired.h"
+
+// --- before the pairs ----------------------------------------------------------------------------
+
+static void prepare_all(struct sb_gate_session *session)
+{
+    for (int i = 0; i < session->pair_count && !sb_interrupted(); i++) {
+        char line[80];
+        snprintf(line, sizeof line, "compiling variant %d of %d on both sides", i + 1,
+                 session->pair_count);
+        sb_progress(line);
+        sb_gate_session_prepare(session, i, i);
+    }
+}
+
+static bool open_files(struct sb_gate_state *gate, struct sb_error *err)
+{
+    const char *dir = gate->params.dir;
+    gate->pairs = sb_row_file_open(
+        &(struct sb_row_file_params){dir, "pairs.csv", sb_pair_columns,
+                                     sb_pair_column_count},
+        err);
+    gate->summary = gate->pairs ? sb_row_file_open(
+                                      &(struct sb_row_file_params){dir, "gate.csv",
+                                                                   sb_gate_columns,
+                                                                   sb_gate_column_count},
+                                      err)
+                                : NULL;
+    return gate->summary != NULL;
+}
+
+static int count_timed(const struct sb_gate_session *session)
+{
+    int count = 0;
+    for (int i = 0; i < session->pair_count; i++)
+        count += session->pair[i].active;
+    return count;
+}
+
+// --- rows ----------------------------------------------------------------------------------------
+
+static const char *hash_text(struct sb_arena *arena, uint64_t hash)
+{
+    return sb_arena_printf(arena, "%016llx", (unsigned long long)hash);
+}
+
+static double median_ms(const struct sb_gate_pair *pair, int side)
+{
+    double *sorted = sb_alloc(((size_t)pair->count + 1) * sizeof *sorted);
+    memcpy(sorted, pair->value[side], (size_t)pair->count * sizeof *sorted);
+    sb_sort_doubles(sorted, pair->count);
+    const double median = sb_median(sorted, pair->count);
+    free(sorted);
+    return median / pair->batch * 1e-6;
+}
+
+static void fill_times(const struct sb_gate_pair *pair, struct sb_gate_row *row)
+{
+    const struct sb_gate_reading *reading = &pair->reading;
+    row->batch = pair->batch;
+    row->pairs = pair->count;
+    row->ratio = reading->ratio.point;
+    row->ratio_lo = reading->ratio.lo;
+    row->ratio_hi = reading->ratio.hi;
+    row->p_slower = reading->p_slower;
+    row->p_within = reading->p_within;
+    row->p_faster = reading->p_faster;
+    row->alpha_spent = reading->alpha_spent;
+    row->mde = reading->mde;
+    row->autocorrelation = reading->autocorrelation;
+    row->ties = reading->ties;
+    row->base_ms = median_ms(pair, SB_BASE);
+    row->head_ms = median_ms(pair, SB_HEAD);
+}
+
+static const char *note_of(struct sb_gate_state *gate, const struct sb_gate_pair *pair)
+{
+    struct sb_text text = {0};
+    for (int side = 0; side < SB_SIDES; side++)
+        if (pair->task[side].note.length)
+            sb_text_printf(&text, "%s%s: %s", text.length ? "; " : "",
+                           sb_side_names[side], pair->task[side].note.data);
+    const char *note = text.length ? sb_arena_strdup(&gate->arena, text.data) : NULL;
+    sb_text_free(&text);
+    return note;
+}
+
+static enum sb_gate_verdict verdict_of(const struct sb_gate_pair *pair)
+{
+    const struct sb_task *base = &pair->task[SB_BASE], *head = &pair->task[SB_HEAD];
+    if (!pair->timed && base->loaded && head->loaded)
+        return SB_GATE_SKIPPED; // the same sources
+    if (base->untimed && head->untimed)
+        return SB_GATE_SKIPPED; // for accuracy only
+    if (!sb_task_timed(base) || !sb_task_timed(head))
+        return SB_GATE_INVALID;
+    return pair->count == 0 ? SB_GATE_INCONCLUSIVE : pair->reading.verdict;
+}
+
+static void fill_row(struct sb_gate_state *gate, int i)
+{
+    const struct sb_gate_pair *pair = &gate->session.pair[i];
+    const struct sb_task *base = &pair->task[SB_BASE], *head = &pair->task[SB_HEAD];
+    struct sb_gate_row *row = &gate->row[i];
+    const struct sb_gate_row earlier = *row; // of a confirmation
+    sb_gate_row_init(row);
+    row->variant = head->entry ? head->entry->id
+                               : gate->params.side[SB_HEAD].suite->entry[i].id;
+    row->scene = gate->params.side[SB_HEAD].suite->entry[i].scene;
+    row->verdict = sb_gate_verdict_rows[verdict_of(pair)].word;
+    row->status = sb_status_rows[head->status != SB_OK ? head->status : base->status].word;
+    row->picture = pair->picture;
+    row->metric = sb_metric_rows[gate->session.metric].name;
+    row->tolerance = gate->params.rule.tolerance;
+    if (pair->count > 0)
+        fill_times(pair, row);
+    row->confirm_ratio = earlier.confirm_ratio;
+    row->confirm_p = earlier.confirm_p;
+    if (base->accuracy.known && head->accuracy.known) {
+        row->base_max_err = base->accuracy.total.max;
+        row->head_max_err = head->accuracy.total.max;
+    }
+    if (base->loaded)
+        row->base_source = hash_text(&gate->arena, base->assembly.source_hash);
+    if (head->loaded)
+        row->head_source = hash_text(&gate->arena, head->assembly.source_hash);
+    row->note = pair->timed || !base->loaded || !head->loaded
+                    ? note_of(gate, pair)
+                    : "the final sources are equal: nothing to compare";
+}
+
+static bool write_rows(struct sb_gate_state *gate, struct sb_error *err)
+{
+    for (int i = 0; i < gate->session.pair_count; i++)
+        fill_row(gate, i);
+    return sb_row_file_replace(gate->summary, gate->row, gate->session.pair_count,
+                               sizeof *gate->row, err);
+}
+
+// --- confirmations -------------------------------------------------------------------------------
+
+// One candidate, alone, in a fresh process. What cannot be measured again is not confirmed, and
+// says so.
+static bool confirm(struct sb_gate_state *gate, int i, int process, struct sb_error *err)
+{
+    struct sb_gate_pair *candidate = &gate->session.pair[i];
+    struct sb_gate_pair fresh_pair = {0};
+    struct sb_gate_session fresh = {
+        .process = process, .metric = gate->session.metric, .pair_count = 1};
+    struct sb_error failure = {0};
+    bool good = true;
+    fresh.pair = sb_alloc(sizeof fresh_pair);
+    sb_progress("confirming a candidate in a fresh process");
+    if (!sb_gate_session_open(&fresh, &gate->params, &failure)) {
+        sb_task_note(&candidate->task[SB_HEAD], "no fresh process: %s", failure.text);
+        candidate->reading.verdict = SB_GATE_INCONCLUSIVE;
+        goto done;
+    }
+    sb_gate_session_prepare(&fresh, 0, i);
+    fresh.pair[0].timed = true;
+    struct sb_gate_rounds rounds = {
+        .session = &fresh,
+        .rule = &gate->params.rule,
+        .fixed = true,
+        .seconds = fmax(gate->params.settings->budget, 10),
+        .file = gate->pairs,
+        .arena = &gate->arena,
+    };
+    good = !sb_gate_make_ready(&fresh, &failure) || sb_gate_rounds_run(&rounds, err);
+    if (failure.status != SB_OK)
+        sb_task_note(&candidate->task[SB_HEAD], "in a fresh process: %s", failure.text);
+    const struct sb_gate_reading *reading = &fresh.pair[0].reading;
+    candidate->reading.verdict =
+        fresh.pair[0].count > 0 ? reading->verdict : SB_GATE_INCONCLUSIVE;
+    if (fresh.pair[0].count > 0) {
+        gate->row[i].confirm_ratio = reading->ratio.point;
+        gate->row[i].confirm_p = reading->p_slower;
+    }
+done:
+    sb_gate_session_close(&fresh);
+    sb_progress("");
+    return good;
+}
+
+// A process has one context: where this one draws itself, it must let go first.
+static void let_go(struct sb_gate_session *session)
+{
+    for (int side = 0; side < SB_SIDES; side++) {
+        if (!session->driver[side].runner || session->driver[side].fns->workers)
+            continue;
+        for (int i = 0; i < session->pair_count; i++)
+            for (int s = 0; s < SB_SIDES; s++) {
+                struct sb_task *task = &session->pair[i].task[s];
+                if (task->loaded && session->driver[s].runner)
+                    session->driver[s].fns->release(session->driver[s].runner,
+                                                    task->assembly.job.id);
+            }
+        if (session->open[side])
+            sb_driver_close(&session->driver[side]);
+        session->open[side] = false;
+    }
+    for (int side = 0; side < SB_SIDES && !session->params->apart; side++)
+        if (!session->open[SB_BASE])
+            session->driver[side].runner = NULL;
+}
+
+static bool confirm_all(struct sb_gate_state *gate, struct sb_error *err)
+{
+    struct sb_gate_session *session = &gate->session;
+    int process = 0;
+    for (int i = 0; i < session->pair_count; i++) {
+        struct sb_gate_pair *pair = &session->pair[i];
+        if (pair->reading.verdict != SB_GATE_CANDIDATE || pair->count == 0)
+            continue;
+        if (sb_interrupted()) {
+            pair->reading.verdict = SB_GATE_INCONCLUSIVE;
+            sb_task_note(&pair->task[SB_HEAD], "slower, but interrupted before a fresh "
+                                               "process could confirm it");
+            continue;
+        }
+        if (process == 0)
+            let_go(session);
+        if (!confirm(gate, i, ++process, err))
+            return false;
+    }
+    return true;
+}
+
+// --- the whole -----------------------------------------------------------------------------------
+
+static void conclude(struct sb_gate_state *gate, struct sb_gate_result *result)
+{
+    const struct sb_gate_session *session = &gate->session;
+    double *mde = sb_alloc(((size_t)session->pair_count + 1) * sizeof *mde);
+    int timed = 0;
+    for (int i = 0; i < session->pair_count; i++) {
+        const struct sb_gate_pair *pair = &session->pair[i];
+        const struct sb_task *base = &pair->task[SB_BASE], *head = &pair->task[SB_HEAD];
+        const enum sb_gate_verdict verdict = verdict_of(pair);
+        result->count[verdict]++;
+        int code = sb_status_rows[head->status].exit_code;
+        // What base alone got wrong, head has mended.
+        if (code == 0 && verdict == SB_GATE_INVALID &&
+            sb_status_rows[base->status].exit_code == 0)
+            code = sb_status_rows[SB_SAMPLES_INVALID].exit_code;
+        if (verdict == SB_GATE_REGRESSION && !gate->params.selftest)
+            code = sb_exit_code_worse(code, sb_status_rows[SB_WORSE_PICTURE].exit_code);
+        result->exit_code = sb_exit_code_worse(result->exit_code, code);
+        if (pair->count > 0)
+            mde[timed++] = pair->reading.mde;
+    }
+    sb_sort_doubles(mde, timed);
+    result->median_mde = timed ? sb_median(mde, timed) : NAN;
+    free(mde);
+    result->interrupted = sb_interrupted();
+    if (result->interrupted)
+        result->exit_code = sb_exit_code_worse(result->exit_code,
+                                               sb_status_rows[SB_INTERRUPTED].exit_code);
+}
+
+// The bias of a program against itself, over all variants.
+static void judge_bias(struct sb_gate_state *gate, struct sb_gate_result *result)
+{
+    const struct sb_gate_session *session = &gate->session;
+    struct sb_interval *ratio =
+        sb_alloc(((size_t)session->pair_count + 1) * sizeof *ratio);
+    int count = 0;
+    for (int i = 0; i < session->pair_count; i++)
+        count += session->pair[i].count > 0;
+    for (int i = 0; i < session->pair_count; i++) {
+        const struct sb_gate_pair *pair = &session->pair[i];
+        double *scratch = sb_alloc(((size_t)pair->count + 1) * sizeof *scratch);
+        ratio[i] = sb_paired_ratio(pair->value[SB_BASE], pair->value[SB_HEAD], pair->count,
+                                   1 - 0.05 / fmax(count, 1), scratch);
+        free(scratch);
+    }
+    result->bias =
+        sb_gate_bias(ratio, session->pair_count, gate->params.rule.tolerance);
+    if (!result->bias.tolerable)
+        result->exit_code = sb_exit_code_worse(
+            result->exit_code, sb_status_rows[SB_SAMPLES_INVALID].exit_code);
+    free(ratio);
+}
+
+static bool compare(struct sb_gate_state *gate, struct sb_gate_result *result,
+                    struct sb_error *err)
+{
+    struct sb_gate_session *session = &gate->session;
+    const struct sb_gate_params *params = &gate->params;
+    sb_progress("opening the sides");
+    if (!sb_gate_session_open(session, params, err))
+        return false;
+    result->metric = session->metric;
+    const struct sb_driver *driver = &session->driver[SB_BASE];
+    result->timer = sb_metric_rows[session->metric].source
+                        ? sb_metric_rows[session->metric].source
+                        : driver->audit.source[driver->timer].name;
+    for (int side = 0; side < SB_SIDES; side++)
+        result->caps[side] = session->driver[side].caps;
+    prepare_all(session);
+    sb_progress("comparing the pictures");
+    sb_gate_pictures(session);
+    if (!sb_gate_make_ready(session, err))
+        return false;
+    gate->params.rule.variants = count_timed(session) > 0 ? count_timed(session) : 1;
+    result->rule = gate->params.rule;
+    if (!sb_gate_record(gate, result, false, err) || !write_rows(gate, err))
+        return false;
+    struct sb_gate_rounds rounds = {
+        .session = session,
+        .rule = &gate->params.rule,
+        .fixed = params->selftest,
+        .seconds = params->settings->budget,
+        .file = gate->pairs,
+        .arena = &gate->arena,
+    };
+    return sb_gate_rounds_run(&rounds, err) &&
+           (params->selftest || confirm_all(gate, err));
+}
+
+bool sb_gate_run(const struct sb_gate_params *params, struct sb_gate_result *result,
+                 struct sb_error *err)
+{
+    struct sb_gate_state *gate = sb_alloc(sizeof *gate);
+    const int count = params->side[SB_HEAD].suite->entry_count;
+    const int64_t begin = sb_clock_ns();
+    struct sb_error ignored;
+    result->state = gate;
+    gate->params = *params;
+    sb_timestamp(gate->started);
+    gate->session.pair = sb_alloc(((size_t)count + 1) * sizeof *gate->session.pair);
+    gate->session.pair_count = count;
+    gate->row = sb_alloc(((size_t)count + 1) * sizeof *gate->row);
+    for (int i = 0; i < count; i++)
+        sb_gate_row_init(&gate->row[i]);
+    if (!open_files(gate, err))
+        return false;
+    const bool good = compare(gate, result, err);
+    sb_progress("");
+    result->seconds = (double)(sb_clock_ns() - begin) * 1e-9;
+    if (!good && err->status != SB_WRITE_FAILED)
+        return false;
+    conclude(gate, result);
+    if (params->selftest)
+        judge_bias(gate, result);
+    // What was measured is kept, whatever went wrong with the files before.
+    const bool written = write_rows(gate, good ? err : &ignored);
+    result->row = gate->row;
+    result->row_count = count;
+    if (good)
+        return written && sb_gate_record(gate, result, !result->interrupted, err);
+    result->exit_code =
+        sb_exit_code_worse(result->exit_code, sb_status_rows[err->status].exit_code);
+    return false;
+}
+
+void sb_gate_result_free(struct sb_gate_result *result)
+{
+    struct sb_gate_state *gate = result->state;
+    if (gate) {
+        sb_gate_session_close(&gate->session);
+        sb_row_file_close(&gate->pairs);
+        sb_row_file_close(&gate->summary);
+        sb_arena_free(&gate->arena);
+        free(gate->row);
+        free(gate);
+    }
+    *result = (struct sb_gate_result){0};
+}

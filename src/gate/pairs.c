@@ -1,0 +1,285 @@
+// Timed pairs: a batch of base and one of head, back to back, first the one, then the other.
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/clock.h"
+#include "base/log.h"
+#include "gate/state.h"
+#include "measure/interrupt.h"
+#include "stats/schedule.h"
+
+enum { BATCH_MAX = 4096, WARM_ROUNDS = 2 };
+#define LONGEST_NS 100e6 // a batch of the slower side, where the sides differ a lot
+
+static struct sb_shot shot_of(const struct sb_gate_pair *pair, int side, int frames)
+{
+    return (struct sb_shot){
+        .job = pair->task[side].assembly.job.id, .frames = frames, .shrink = 1};
+}
+
+static bool is_timed(const struct sb_gate_pair *pair)
+{
+    return pair->timed && sb_task_timed(&pair->task[SB_BASE]) &&
+           sb_task_timed(&pair->task[SB_HEAD]);
+}
+
+static bool shoot(struct sb_gate_session *session, const struct sb_shot *shot, int side,
+                  struct sb_sample *sample, struct sb_error *err)
+{
+    const struct sb_driver *driver = &session->driver[side];
+    return driver->fns->round(driver->runner, shot, 1, sample, err);
+}
+
+// One batch by the metric in ns, the least of three that are sound.
+static bool least(struct sb_gate_session *session, const struct sb_gate_pair *pair,
+                  int side, int frames, double *ns, struct sb_error *err)
+{
+    const struct sb_shot shot = shot_of(pair, side, frames);
+    *ns = INFINITY;
+    for (int good = 0, tries = 0; good < 3 && tries < 8; tries++) {
+        struct sb_sample sample = {0};
+        if (!shoot(session, &shot, side, &sample, err))
+            return false;
+        const int64_t value = sb_metric_value(session->metric, &sample);
+        if (value > 0) {
+            *ns = fmin(*ns, (double)value);
+            good++;
+        } else if (sample.flags & SB_SAMPLE_LOST &&
+                   !sb_driver_holds(&session->driver[side], shot.job, err)) {
+            return false;
+        }
+    }
+    return isfinite(*ns) ||
+           sb_fail(err, SB_SAMPLES_INVALID, "no batch of %d frames has a valid time",
+                   frames);
+}
+
+// The fewest frames for which both sides take batch_ms, unless one then takes too long.
+static bool calibrate(struct sb_gate_session *session, struct sb_gate_pair *pair,
+                      struct sb_error *err)
+{
+    const struct sb_measure_settings *settings = session->params->settings;
+    const double wanted = settings->batch_ms * 1e6;
+    pair->batch = settings->batch > 0 ? (int)settings->batch : 1;
+    for (int step = 0; step < 16 && settings->batch <= 0; step++) {
+        double ns[SB_SIDES];
+        for (int side = 0; side < SB_SIDES; side++)
+            if (!least(session, pair, side, pair->batch, &ns[side], err))
+                return false;
+        const double shorter = fmin(ns[SB_BASE], ns[SB_HEAD]);
+        const double longer = fmax(ns[SB_BASE], ns[SB_HEAD]);
+        if (shorter >= wanted || longer >= LONGEST_NS || pair->batch >= BATCH_MAX)
+            break;
+        const double factor = fmin(fmin(fmax(wanted / shorter, 1.1), 10),
+                                   fmax(LONGEST_NS / longer, 1.1));
+        pair->batch = (int)fmin(ceil(pair->batch * factor), BATCH_MAX);
+    }
+    return true;
+}
+
+// K frames in one batch must take what K frames take that are drained one by one, or nearly:
+// else the driver drops draws that nobody will see, and the metric compares the wrong work.
+static bool check_metric(struct sb_gate_session *session, const struct sb_gate_pair *pair,
+                         int side, struct sb_error *err)
+{
+    enum { FRAMES = 4 };
+    double one, batch;
+    if (!least(session, pair, side, 1, &one, err) ||
+        !least(session, pair, side, FRAMES, &batch, err))
+        return false;
+    return batch >= 0.7 * FRAMES * one || one < 1e5 ||
+           sb_fail(err, SB_NO_TIMER,
+                   "%s of %d frames in one batch is %.2f of that of as many frames drained "
+                   "one by one: draws were dropped",
+                   sb_metric_rows[session->metric].name, FRAMES, batch / (FRAMES * one));
+}
+
+// Both batches of a pair; where the sides share a process, as one message.
+static bool shoot_pair(struct sb_gate_session *session, const struct sb_gate_pair *pair,
+                       enum sb_side first, struct sb_sample sample[SB_SIDES],
+                       struct sb_error *err)
+{
+    const enum sb_side order[SB_SIDES] = {first, first == SB_BASE ? SB_HEAD : SB_BASE};
+    struct sb_shot shot[SB_SIDES];
+    struct sb_sample got[SB_SIDES] = {{0}};
+    for (int i = 0; i < SB_SIDES; i++)
+        shot[i] = shot_of(pair, order[i], pair->batch);
+    bool good = true;
+    if (!session->params->apart) {
+        const struct sb_driver *driver = &session->driver[SB_BASE];
+        good = driver->fns->round(driver->runner, shot, SB_SIDES, got, err);
+    } else {
+        for (int i = 0; good && i < SB_SIDES; i++)
+            good = shoot(session, &shot[i], (int)order[i], &got[i], err);
+    }
+    for (int i = 0; i < SB_SIDES; i++)
+        sample[order[i]] = got[i];
+    return good;
+}
+
+static void fail_pair(struct sb_gate_pair *pair, const struct sb_error *err)
+{
+    sb_task_fail(&pair->task[SB_HEAD], err);
+    pair->active = false;
+}
+
+bool sb_gate_make_ready(struct sb_gate_session *session, struct sb_error *err)
+{
+    bool proven = session->metric == SB_METRIC_GPU; // by the audit
+    for (int i = 0; i < session->pair_count && !sb_interrupted(); i++) {
+        struct sb_gate_pair *pair = &session->pair[i];
+        struct sb_error failure = {0};
+        struct sb_sample sample[SB_SIDES];
+        pair->active = is_timed(pair);
+        if (!pair->active)
+            continue;
+        if (!proven && (!check_metric(session, pair, SB_BASE, err) ||
+                        !check_metric(session, pair, SB_HEAD, err)))
+            return false;
+        proven = true;
+        bool good = calibrate(session, pair, &failure);
+        for (int r = 0; good && r < WARM_ROUNDS; r++)
+            good = shoot_pair(session, pair, r % 2 ? SB_HEAD : SB_BASE, sample, &failure);
+        if (!good)
+            fail_pair(pair, &failure);
+    }
+    return true;
+}
+
+// --- the rounds ----------------------------------------------------------------------------------
+
+static void keep(struct sb_gate_pair *pair, const int64_t value[SB_SIDES])
+{
+    int capacity = pair->capacity;
+    for (int side = 0; side < SB_SIDES; side++) {
+        capacity = pair->capacity;
+        pair->value[side] = sb_grow(pair->value[side], pair->count, &capacity,
+                                    sizeof *pair->value[side]);
+        pair->value[side][pair->count] = (double)value[side];
+    }
+    pair->capacity = capacity;
+    pair->count++;
+}
+
+static void fill_row(const struct sb_gate_rounds *rounds, const struct sb_gate_pair *pair,
+                     int round, enum sb_side first,
+                     const struct sb_sample sample[SB_SIDES], struct sb_pair_row *row)
+{
+    const struct sb_gate_session *session = rounds->session;
+    int64_t value[SB_SIDES];
+    for (int side = 0; side < SB_SIDES; side++) {
+        const int64_t one = sb_metric_value(session->metric, &sample[side]);
+        value[side] = one > 0 ? one : SB_NO_COUNT;
+    }
+    *row = (struct sb_pair_row){
+        .process = session->process,
+        .round = round,
+        .scene = pair->task[SB_HEAD].entry->scene,
+        .variant = pair->task[SB_HEAD].entry->id,
+        .first = sb_side_names[first],
+        .batch = pair->batch,
+        .metric = sb_metric_rows[session->metric].name,
+        .base = value[SB_BASE],
+        .head = value[SB_HEAD],
+        .base_wall_ns = sample[SB_BASE].wall_ns,
+        .head_wall_ns = sample[SB_HEAD].wall_ns,
+        .base_flags = sample[SB_BASE].flags,
+        .head_flags = sample[SB_HEAD].flags,
+    };
+}
+
+static void measure_pair(struct sb_gate_rounds *rounds, int place, int round,
+                         struct sb_pair_row *row, int *row_count)
+{
+    struct sb_gate_session *session = rounds->session;
+    struct sb_gate_pair *pair = &session->pair[place];
+    struct sb_sample sample[SB_SIDES];
+    struct sb_error failure = {0};
+    const enum sb_side first = (round + place) % 2 ? SB_HEAD : SB_BASE;
+    if (!shoot_pair(session, pair, first, sample, &failure)) {
+        fail_pair(pair, &failure);
+        return;
+    }
+    fill_row(rounds, pair, round, first, sample, &row[(*row_count)++]);
+    int64_t value[SB_SIDES];
+    for (int side = 0; side < SB_SIDES; side++) {
+        value[side] = sb_metric_value(session->metric, &sample[side]);
+        if (!sb_driver_holds(&session->driver[side], sample[side].job, &failure)) {
+            fail_pair(pair, &failure);
+            return;
+        }
+    }
+    if (value[SB_BASE] > 0 && value[SB_HEAD] > 0)
+        keep(pair, value);
+}
+
+// `over`: no more pairs will come.
+static void look(struct sb_gate_rounds *rounds, struct sb_gate_pair *pair, bool over)
+{
+    double *scratch = sb_alloc((3 * (size_t)pair->count + 3) * sizeof *scratch);
+    pair->reading = (rounds->fixed ? sb_gate_confirm : sb_gate_read)(
+        rounds->rule, pair->value[SB_BASE], pair->value[SB_HEAD], pair->count, over,
+        scratch);
+    pair->active = pair->reading.verdict == SB_GATE_OPEN;
+    free(scratch);
+}
+
+static int find_active(const struct sb_gate_session *session, int *active)
+{
+    int count = 0;
+    for (int i = 0; i < session->pair_count; i++)
+        if (session->pair[i].active)
+            active[count++] = i;
+    return count;
+}
+
+static void show(const struct sb_gate_session *session, int round, int active, double left)
+{
+    char line[120];
+    snprintf(line, sizeof line, "pair %d of each, %d of %d variants are open, at most %.0f s left",
+             round + 1, active, session->pair_count, left);
+    sb_progress(line);
+}
+
+static bool loop(struct sb_gate_rounds *rounds, int *active, int *order,
+                 struct sb_pair_row *row, struct sb_error *err)
+{
+    struct sb_gate_session *session = rounds->session;
+    const int64_t begin = sb_clock_ns();
+    // A round may be lost to a worker, and is taken again; not for ever.
+    const int most = 2 * (rounds->fixed ? rounds->rule->confirm_pairs
+                                        : rounds->rule->looks.rounds);
+    for (int round = 0;; round++) {
+        int rows = 0;
+        const int count = find_active(session, active);
+        const double seconds = (double)(sb_clock_ns() - begin) * 1e-9;
+        const bool over = seconds >= rounds->seconds || sb_interrupted() || round >= most;
+        for (int i = 0; over && i < count; i++)
+            look(rounds, &session->pair[active[i]], true);
+        if (count == 0 || over)
+            return true;
+        show(session, round, count, rounds->seconds - seconds);
+        sb_schedule_order((uint64_t)session->params->settings->seed, count, round, order);
+        for (int i = 0; i < count; i++)
+            measure_pair(rounds, active[order[i]], round, row, &rows);
+        if (!sb_row_file_add(rounds->file, row, rows, sizeof *row, err))
+            return false;
+        for (int i = 0; i < count; i++)
+            if (session->pair[active[i]].active)
+                look(rounds, &session->pair[active[i]], false);
+    }
+}
+
+bool sb_gate_rounds_run(struct sb_gate_rounds *rounds, struct sb_error *err)
+{
+    const size_t count = (size_t)rounds->session->pair_count + 1;
+    int *active = sb_alloc(count * sizeof *active);
+    int *order = sb_alloc(count * sizeof *order);
+    struct sb_pair_row *row = sb_alloc(count * sizeof *row);
+    const bool good = loop(rounds, active, order, row, err);
+    sb_progress("");
+    free(row);
+    free(order);
+    free(active);
+    return good;
+}

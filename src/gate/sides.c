@@ -1,0 +1,73 @@
+// The two sides: their drivers and their programs.
+#include <stdlib.h>
+
+#include "gate/state.h"
+
+const char *const sb_side_names[SB_SIDES] = {"base", "head"};
+
+static bool open_side(struct sb_gate_session *session, enum sb_side side,
+                      struct sb_error *err)
+{
+    const struct sb_gate_params *params = session->params;
+    struct sb_driver *driver = &session->driver[side];
+    if (side == SB_HEAD && !params->apart) {
+        *driver = session->driver[SB_BASE];
+        return true;
+    }
+    if (!sb_driver_connect(&params->side[side].driver, driver, err))
+        return false;
+    session->open[side] = true;
+    if (session->metric == SB_METRIC_AUTO)
+        session->metric = driver->caps.software ? SB_METRIC_CPU : SB_METRIC_GPU;
+    return session->metric != SB_METRIC_GPU ||
+           sb_driver_prove(driver, params->side[side].driver.timer, err);
+}
+
+bool sb_gate_session_open(struct sb_gate_session *session,
+                          const struct sb_gate_params *params, struct sb_error *err)
+{
+    session->params = params;
+    if (session->metric == SB_METRIC_AUTO) // else a confirmation: what the gate has
+        session->metric = params->metric;
+    return open_side(session, SB_BASE, err) && open_side(session, SB_HEAD, err);
+}
+
+void sb_gate_session_prepare(struct sb_gate_session *session, int place, int entry)
+{
+    struct sb_gate_pair *pair = &session->pair[place];
+    for (int side = 0; side < SB_SIDES; side++) {
+        const struct sb_gate_side_params *given = &session->params->side[side];
+        const struct sb_prepare_params params = {
+            .suite = given->suite,
+            .driver = &session->driver[side],
+            .data_dir = session->params->data_dir,
+            .shaders = given->shaders,
+            .renamed = given->renamed,
+        };
+        pair->task[side].entry = &given->suite->entry[entry];
+        sb_task_prepare(&pair->task[side], &params,
+                        (uint32_t)(SB_SIDES * entry + side + 1));
+    }
+    const struct sb_task *base = &pair->task[SB_BASE], *head = &pair->task[SB_HEAD];
+    // In two environments, equal texts are two programs.
+    const bool equal = base->loaded && head->loaded && !session->params->apart &&
+                       base->assembly.source_hash == head->assembly.source_hash &&
+                       base->prepared.input_hash == head->prepared.input_hash &&
+                       sb_variant_equal(&session->params->side[SB_BASE].suite->axes,
+                                        &base->entry->variant, &head->entry->variant);
+    pair->timed = !equal || session->params->keep_equal;
+}
+
+void sb_gate_session_close(struct sb_gate_session *session)
+{
+    for (int i = 0; i < session->pair_count; i++)
+        for (int side = 0; side < SB_SIDES; side++) {
+            sb_task_free(&session->pair[i].task[side], &session->driver[side]);
+            free(session->pair[i].value[side]);
+        }
+    free(session->pair);
+    for (int side = 0; side < SB_SIDES; side++)
+        if (session->open[side])
+            sb_driver_close(&session->driver[side]);
+    *session = (struct sb_gate_session){0};
+}

@@ -1,0 +1,66 @@
+// What the files of this folder share: a gate under way.
+#pragma once
+
+#include "base/mem.h"
+#include "gate/gate.h"
+#include "measure/task.h"
+#include "results/row_file.h"
+
+struct sb_gate_pair { // one plan entry, on both sides
+    struct sb_task task[SB_SIDES];
+    const char *picture; // word for the row; NULL: not looked at
+    bool timed;          // both are sound and their sources differ
+    bool active;         // more pairs are wanted
+    int batch;           // frames, on both sides
+    double *value[SB_SIDES];
+    int count, capacity; // pairs
+    struct sb_gate_reading reading;
+};
+
+struct sb_gate_session { // the processes that draw, and what they hold
+    const struct sb_gate_params *params;
+    int process; // 0: the gate's own; then one a confirmation
+    enum sb_metric metric;
+    struct sb_driver driver[SB_SIDES]; // one and the same, unless params->apart
+    bool open[SB_SIDES];               // this session's to close
+    struct sb_gate_pair *pair;
+    int pair_count;
+};
+
+// sides.c: opens the drivers, finds the metric and proves the timer it needs.
+bool sb_gate_session_open(struct sb_gate_session *session,
+                          const struct sb_gate_params *params, struct sb_error *err);
+// Assembles and prepares entry `entry` of the plans as session->pair[place].
+void sb_gate_session_prepare(struct sb_gate_session *session, int place, int entry);
+void sb_gate_session_close(struct sb_gate_session *session);
+
+// pictures.c: judges the pictures of all pairs that are loaded; sets `picture` and fails tasks.
+void sb_gate_pictures(struct sb_gate_session *session);
+
+// pairs.c
+struct sb_gate_rounds {
+    struct sb_gate_session *session;
+    const struct sb_gate_rule *rule;
+    bool fixed;     // rule->confirm_pairs of each pair: a confirmation, or the self-test
+    double seconds; // at most
+    struct sb_row_file *file;
+    struct sb_arena *arena; // for texts of rows
+};
+// One batch length for both sides of each pair that is timed, and a few unrecorded rounds. Does
+// the metric see all of the work? SB_NO_TIMER where it does not.
+bool sb_gate_make_ready(struct sb_gate_session *session, struct sb_error *err);
+// Until no pair is active, the time is up or a signal came. False: the pairs could not be written.
+bool sb_gate_rounds_run(struct sb_gate_rounds *rounds, struct sb_error *err);
+
+// record.c
+struct sb_gate_state {
+    struct sb_gate_params params;
+    struct sb_gate_session session;
+    struct sb_row_file *pairs, *summary;
+    struct sb_gate_row *row;
+    char started[32];
+    struct sb_arena arena; // texts of rows
+};
+// gate.json; before the first pair with complete = false.
+bool sb_gate_record(const struct sb_gate_state *state, const struct sb_gate_result *result,
+                    bool complete, struct sb_error *err);
