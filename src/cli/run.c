@@ -11,6 +11,8 @@
 #include "base/log.h"
 #include "cli/common.h"
 #include "cli/report.h"
+#include "cli/write.h"
+#include "export/from_results.h"
 #include "measure/interrupt.h"
 #include "measure/run.h"
 #include "results/store.h"
@@ -94,6 +96,7 @@ static bool load_earlier_options(const struct sb_options *now, struct sb_options
     options->resume = options->output = now->resume;
     // How to tell it is asked anew each time.
     options->json = now->json;
+    options->write = now->write;
     options->quiet = now->quiet;
     sb_log_set_level(now->quiet     ? SB_LOG_QUIET
                      : now->verbose ? SB_LOG_VERBOSE
@@ -137,6 +140,10 @@ static int next_process(const char *dir, const struct sb_options *options,
     if (options->data) {
         words[count++] = (char *)"--data";
         words[count++] = (char *)options->data;
+    }
+    for (int i = 0; i < options->write.count; i++) {
+        words[count++] = (char *)"--write";
+        words[count++] = (char *)options->write.item[i].word;
     }
     fflush(NULL);
     sb_interrupt_hold();
@@ -203,6 +210,42 @@ static void print_results(const struct sb_options *options, const struct sb_suit
         printf("interrupted; go on with: shadebench run --resume %s\n", dir);
 }
 
+// For other programs, in the forms that --write asks for; the exit code. `written`: the folder has
+// all that was measured; else its rows are written here still.
+static int write_outputs(const struct sb_options *options, const struct sb_suite *suite,
+                         const struct sb_run_result *result, const char *dir,
+                         bool written, struct sb_arena *arena)
+{
+    struct sb_error err = {0};
+    struct sb_exported exported = {0};
+    const struct sb_export_source source = {
+        .name = sb_arena_printf(arena, "shadebench run %s", suite->name),
+        .row = result->row,
+        .row_count = result->row_count,
+        .dir = dir,
+    };
+    int code = 0;
+    if (!options->write.count)
+        return 0;
+    if (!sb_export_from_results(&source, &exported, &err) && written)
+        code = sb_cli_fail(&err);
+    code = sb_exit_code_worse(code, sb_outputs_write(&options->write, &exported.export));
+    sb_exported_free(&exported);
+    return code;
+}
+
+// What was measured, once the last process is done; the exit code.
+static int show_results(const struct sb_options *options, const struct sb_suite *suite,
+                        const struct sb_run_result *result, const char *dir, bool written,
+                        struct sb_arena *arena)
+{
+    if (!sb_outputs_take_stdout(&options->write))
+        print_results(options, suite, result, dir, written);
+    else if (result->interrupted)
+        sb_info("interrupted; go on with: shadebench run --resume %s", dir);
+    return write_outputs(options, suite, result, dir, written, arena);
+}
+
 static int run_suite(const struct sb_options *options, json_t *arguments,
                      struct sb_arena *arena)
 {
@@ -252,10 +295,12 @@ static int run_suite(const struct sb_options *options, json_t *arguments,
     }
     const bool more = good && !result.interrupted &&
                       result.processes_done < (int)suite.measure.processes;
+    code = result.exit_code;
     if (result.row && !more)
-        print_results(options, &suite, &result, dir, good);
-    code =
-        good ? result.exit_code : sb_exit_code_worse(result.exit_code, sb_cli_fail(&err));
+        code = sb_exit_code_worse(
+            code, show_results(options, &suite, &result, dir, good, arena));
+    if (!good)
+        code = sb_exit_code_worse(code, sb_cli_fail(&err));
     sb_run_result_free(&result);
     sb_suite_free(&suite);
     return more ? next_process(dir, options, &err) : code;
@@ -270,6 +315,10 @@ int sb_cmd_run(const struct sb_options *given, int argc, char **argv)
     json_t *arguments = NULL;
     int code;
     sb_interrupt_install();
+    if (!sb_outputs_check(given, &err)) {
+        code = sb_cli_fail(&err);
+        goto done;
+    }
     if (given->resume) {
         options = &earlier;
         if (!load_earlier_options(given, &earlier, &arguments, &arena, &err)) {
