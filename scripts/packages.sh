@@ -5,7 +5,8 @@ packages_build="gcc g++ libc6-dev cmake ninja-build pkg-config libyaml-dev libja
     libpng-dev glslang-dev libspirv-cross-c-shared-dev python3-glad libegl-dev libosmesa6-dev
     libglfw3-dev"
 packages_run="libegl1 libgl1-mesa-dri libosmesa6 libglfw3 mesa-vulkan-drivers glslang-tools"
-packages_test="libcmocka-dev libmpfr-dev clang-format clang-tidy xvfb xauth"
+packages_test="libcmocka-dev libmpfr-dev clang-format clang-tidy xvfb xauth
+    libxml2-utils libbenchmark-tools"
 
 # install_missing PACKAGE...: installs what is not there, and says what; without root or sudo,
 # or where this is no Debian, says exactly what to type.

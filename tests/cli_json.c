@@ -3,9 +3,9 @@
 
 #define RUN "run --context null -q --sweep point=1,2 --rounds 20 --first-look 20 "
 
-static const char *const lists[] = {"suites",  "presets",  "scenes",
-                                    "axes",    "contexts", "timers",
-                                    "columns", "settings", "statuses"};
+static const char *const lists[] = {"suites",   "presets", "scenes",  "axes",
+                                    "contexts", "timers",  "columns", "settings",
+                                    "statuses", "formats"};
 
 // Every word of every JSON row stands in the text, too, and nothing is left out.
 static void every_list_is_the_same_in_text_and_in_json(void **state)

@@ -184,13 +184,13 @@ static void suites_cases_and_counts_are_those_of_the_struct(void **state)
     (void)state;
     static struct document document;
     const struct sb_junit_case one[] = {
-        {"a", "robust", SB_JUNIT_PASSED, NULL, NULL, NULL},
-        {"a", "naive", SB_JUNIT_PASSED, NULL, NULL, "fail: 44 > 0 values"},
-        {"b", "robust", SB_JUNIT_FAILED, "finite", "3 > 0", NULL},
+        {"a", "robust", SB_JUNIT_PASSED, NULL, NULL, NULL, NULL},
+        {"a", "naive", SB_JUNIT_PASSED, NULL, NULL, "fail: 44 > 0 values", NULL},
+        {"b", "robust", SB_JUNIT_FAILED, "finite", "3 > 0", NULL, NULL},
     };
     const struct sb_junit_case other[] = {
-        {"c", "robust", SB_JUNIT_SKIPPED, NULL, "not here", NULL},
-        {"d", "robust", SB_JUNIT_FAILED, NULL, NULL, "why"},
+        {"c", "robust", SB_JUNIT_SKIPPED, NULL, "not here", NULL, NULL},
+        {"d", "robust", SB_JUNIT_FAILED, NULL, NULL, "why", NULL},
     };
     const struct sb_junit_suite suites[] = {{"one", one, 3}, {"other", other, 2}};
     const struct sb_junit_property property = {"renderer", "r"};
@@ -219,11 +219,37 @@ static void suites_cases_and_counts_are_those_of_the_struct(void **state)
     assert_string_equal(attribute(&document.element[output->parent], "name"), "naive");
 }
 
+static void what_could_not_be_judged_is_an_error_and_details_are_the_text(void **state)
+{
+    (void)state;
+    static struct document document;
+    const struct sb_junit_case rows[] = {
+        {"a", "x", SB_JUNIT_ERROR, NULL, "no program", NULL, NULL},
+        {"a", "y", SB_JUNIT_ERROR, "gl_error", "lost", "out", "line 1\nline 2"},
+        {"a", "z", SB_JUNIT_FAILED, "regression", "slower", NULL, "1.1\n[1.0, 1.2]"},
+    };
+    const struct sb_junit_suite suite = {"one", rows, 3};
+    write_and_parse(&(struct sb_junit){"all", &suite, 1, NULL, 0}, &document);
+    assert_string_equal(attribute(&document.element[0], "errors"), "2");
+    assert_string_equal(attribute(&document.element[0], "failures"), "1");
+    assert_string_equal(attribute(find(&document, "testsuite", 0), "errors"), "2");
+    const struct element *plain = find(&document, "error", 0);
+    assert_string_equal(attribute(plain, "type"), "error");
+    assert_string_equal(attribute(plain, "message"), "no program");
+    assert_string_equal(plain->text, "no program");
+    const struct element *detailed = find(&document, "error", 1);
+    assert_string_equal(attribute(detailed, "type"), "gl_error");
+    assert_string_equal(attribute(detailed, "message"), "lost");
+    assert_string_equal(detailed->text, "line 1\nline 2");
+    assert_string_equal(find(&document, "failure", 0)->text, "1.1\n[1.0, 1.2]");
+}
+
 // What a parser gives back of a text in an attribute and between tags.
 static void check_text(const char *given, const char *wanted)
 {
     static struct document document;
-    const struct sb_junit_case row = {given, given, SB_JUNIT_FAILED, given, given, given};
+    const struct sb_junit_case row = {given, given, SB_JUNIT_FAILED, given, given,
+                                      given, NULL};
     const struct sb_junit_suite suite = {given, &row, 1};
     write_and_parse(&(struct sb_junit){given, &suite, 1, NULL, 0}, &document);
     const struct element *failure = find(&document, "failure", 0);
@@ -277,6 +303,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(suites_cases_and_counts_are_those_of_the_struct),
+        cmocka_unit_test(what_could_not_be_judged_is_an_error_and_details_are_the_text),
         cmocka_unit_test(any_text_survives_and_what_xml_cannot_hold_is_replaced),
         cmocka_unit_test(the_parser_refuses_what_is_not_well_formed),
     };

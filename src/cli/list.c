@@ -7,6 +7,7 @@
 #include "cases/case.h"
 #include "cli/common.h"
 #include "cli/table.h"
+#include "export/export.h"
 #include "results/row.h"
 #include "scene/scene.h"
 #ifdef SB_HAVE_GL
@@ -223,6 +224,18 @@ static bool list_cases(struct listing *listing, const struct sb_options *options
     return true;
 }
 
+static bool list_formats(struct listing *listing, const struct sb_options *options,
+                         struct sb_error *err)
+{
+    (void)options;
+    (void)err;
+    *listing = (struct listing){{"format", "help"}, 2, listing->rows, 0};
+    for (int i = 0; i < sb_export_format_count; i++)
+        add(listing,
+            (const char *const[]){sb_export_formats[i].name, sb_export_formats[i].help});
+    return true;
+}
+
 static const struct {
     const char *name;
     bool (*fill)(struct listing *listing, const struct sb_options *options,
@@ -231,7 +244,7 @@ static const struct {
     {"suites", list_suites},   {"presets", list_presets},   {"scenes", list_scenes},
     {"axes", list_axes},       {"contexts", list_contexts}, {"timers", list_timers},
     {"columns", list_columns}, {"settings", list_settings}, {"statuses", list_statuses},
-    {"cases", list_cases},
+    {"cases", list_cases},     {"formats", list_formats},
 };
 enum { LIST_COUNT = sizeof lists / sizeof *lists };
 

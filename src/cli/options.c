@@ -5,6 +5,7 @@
 #include "base/log.h"
 #include "base/words.h"
 #include "cli/common.h"
+#include "cli/write.h"
 
 enum {
     PROBE = 1,
@@ -22,7 +23,7 @@ enum { PLAN = RUN | SHOW | VERIFY | EXPLAIN };     // commands that take variant
 enum { WORKERS = RUN | PROBE | EXPLAIN };          // those that may draw by a worker
 enum { OFFLINE = LIST | COMPARE | FIT | PLANNER }; // those that are of no platform
 
-enum option_type { FLAG, TEXT, ASSIGNMENT };
+enum option_type { FLAG, TEXT, ASSIGNMENT, OUTPUT };
 
 struct option {
     const char *name;
@@ -59,6 +60,7 @@ static const struct option options_table[] = {
     {"time",     0,   NULL,         VERIFY,           FLAG,       AT(time),     "cases: what each guard costs here, timed"},
     {"search",   0,   "SECONDS",    VERIFY,           TEXT,       AT(search),   "look for hard cases that nobody has written down"},
     {"seed",     0,   "N",          VERIFY,           TEXT,       AT(seed),     "of the search, and of the order of timed rounds [1]"},
+    {"write",    0,   "FORMAT=FILE", RUN,             OUTPUT,     AT(write),    "write the results for another program, too (shadebench list formats); FILE -: to stdout, instead of the table; may be repeated"},
     {"pareto",   0,   NULL,         COMPARE,          FLAG,       AT(pareto),   "rank the rows of a run over time and error: the front, and what is dominated"},
     {"terms",    0,   NULL,         COMPARE,          FLAG,       AT(terms),    "the price of each term's precision, from a run of the suite terms"},
     {"policies", 0,   NULL,         COMPARE,          FLAG,       AT(policies), "what each policy (axis specialise) saves against the program for all scenes"},
@@ -221,8 +223,10 @@ static bool parse_option(const struct sb_command *command, int argc, char **argv
         *(const char **)((char *)options + option->offset) = next;
         good = true;
     } else if (option && next) {
-        if (!add_assignment((void *)((char *)options + option->offset), option->name,
-                            next, arena, err))
+        void *list = (char *)options + option->offset;
+        if (option->type == OUTPUT
+                ? !sb_outputs_add(list, next, err)
+                : !add_assignment(list, option->name, next, arena, err))
             return false;
         good = true;
     } else if (!option && is_long) {

@@ -6,10 +6,22 @@
 #include "base/mem.h"
 #include "suite/suite.h"
 
-enum { SB_ASSIGNMENTS_MAX = 64, SB_WORDS_MAX = 64 };
+struct sb_export_format;
+
+enum { SB_ASSIGNMENTS_MAX = 64, SB_WORDS_MAX = 64, SB_OUTPUTS_MAX = 16 };
 
 struct sb_assignments {
     struct sb_assignment item[SB_ASSIGNMENTS_MAX];
+    int count;
+};
+
+struct sb_output {    // of --write
+    const char *word; // as it was given
+    const struct sb_export_format *format;
+    const char *path; // "-": standard output, instead of what the command prints
+};
+struct sb_outputs {
+    struct sb_output item[SB_OUTPUTS_MAX];
     int count;
 };
 
@@ -22,6 +34,7 @@ struct sb_options {
         breaking, time, payback, ablate, policies, ablation, effects, exhaustive,
         in_process, force, check, fail_on_inconclusive;
     struct sb_assignments set, sweep, cross, setting;
+    struct sb_outputs write;
     const char *word[SB_WORDS_MAX]; // what is no option
     int word_count;
 };

@@ -11,6 +11,8 @@
 #include "base/log.h"
 #include "cli/expect.h"
 #include "cli/report.h"
+#include "cli/write.h"
+#include "export/from_results.h"
 #include "measure/interrupt.h"
 #include "measure/run.h"
 #include "results/store.h"
@@ -94,6 +96,7 @@ static bool load_earlier_options(const struct sb_options *now, struct sb_options
     options->resume = options->output = now->resume;
     // How to tell it is asked anew each time.
     options->json = now->json;
+    options->write = now->write;
     options->quiet = now->quiet;
     options->check |= now->check;
     options->fail_on_inconclusive |= now->fail_on_inconclusive;
@@ -143,6 +146,10 @@ static int next_process(const char *dir, const struct sb_options *options,
     if (options->data) {
         words[count++] = (char *)"--data";
         words[count++] = (char *)options->data;
+    }
+    for (int i = 0; i < options->write.count; i++) {
+        words[count++] = (char *)"--write";
+        words[count++] = (char *)options->write.item[i].word;
     }
     fflush(NULL);
     sb_interrupt_hold();
@@ -215,6 +222,83 @@ static void print_results(const struct sb_options *options, const struct sb_suit
         printf("interrupted; go on with: shadebench run --resume %s\n", dir);
 }
 
+// What --check found, in the rows that other programs read: a budget that was missed fails its row,
+// one that cannot be decided is not passed. A rule that names no row becomes one.
+static void apply_findings(const struct sb_expected *expected,
+                           const struct sb_run_result *result,
+                           struct sb_exported *exported)
+{
+    const int count = exported->export.row_count;
+    struct sb_export_row *row = sb_arena_alloc(
+        &exported->arena, (size_t)(count + expected->finding_count + 1) * sizeof *row);
+    struct sb_text text = {0};
+    int all = count;
+    memcpy(row, exported->export.row, (size_t)count * sizeof *row);
+    for (int i = 0; i < expected->finding_count; i++) {
+        const struct sb_expect_finding *finding = &expected->finding[i];
+        struct sb_export_row *to =
+            finding->row ? &row[finding->row - result->row] : &row[all];
+        if (finding->verdict == SB_EXPECT_HELD)
+            continue;
+        sb_text_clear(&text);
+        sb_expect_text(finding, &text);
+        if (!finding->row)
+            row[all++] = (struct sb_export_row){
+                .scene = "expect",
+                .variant = sb_arena_strdup(&exported->arena, sb_text_get(&text))};
+        if (to->outcome == SB_EXPORT_PASSED || to->outcome == SB_EXPORT_SKIPPED)
+            to->outcome = finding->verdict == SB_EXPECT_MISSED ? SB_EXPORT_FAILED
+                                                               : SB_EXPORT_SKIPPED;
+        to->status = sb_expect_words[finding->verdict];
+        to->message = sb_arena_strdup(&exported->arena, sb_text_get(&text));
+    }
+    sb_text_free(&text);
+    exported->export.row = row;
+    exported->export.row_count = all;
+}
+
+// For other programs, in the forms that --write asks for; the exit code. `written`: the folder has
+// all that was measured; else its rows are written here still. `expected`: NULL without --check.
+static int write_outputs(const struct sb_options *options, const struct sb_suite *suite,
+                         const struct sb_run_result *result,
+                         const struct sb_expected *expected, const char *dir,
+                         bool written, struct sb_arena *arena)
+{
+    struct sb_error err = {0};
+    struct sb_exported exported = {0};
+    const struct sb_export_source source = {
+        .name = sb_arena_printf(arena, "shadebench run %s", suite->name),
+        .row = result->row,
+        .row_count = result->row_count,
+        .dir = dir,
+    };
+    int code = 0;
+    if (!options->write.count && !expected)
+        return 0;
+    if (!sb_export_from_results(&source, &exported, &err) && written)
+        code = sb_cli_fail(&err);
+    if (expected)
+        apply_findings(expected, result, &exported);
+    code = sb_exit_code_worse(code, sb_outputs_write(&options->write, &exported.export));
+    if (expected && !sb_export_step_summary(&exported.export, &err))
+        code = sb_exit_code_worse(code, sb_cli_fail(&err));
+    sb_exported_free(&exported);
+    return code;
+}
+
+// What was measured, once the last process is done; the exit code.
+static int show_results(const struct sb_options *options, const struct sb_suite *suite,
+                        const struct sb_run_result *result,
+                        const struct sb_expected *expected, const char *dir, bool written,
+                        struct sb_arena *arena)
+{
+    if (!sb_outputs_take_stdout(&options->write))
+        print_results(options, suite, result, expected, dir, written);
+    else if (result->interrupted)
+        sb_info("interrupted; go on with: shadebench run --resume %s", dir);
+    return write_outputs(options, suite, result, expected, dir, written, arena);
+}
+
 static int run_suite(const struct sb_options *options, json_t *arguments,
                      struct sb_arena *arena)
 {
@@ -270,10 +354,13 @@ static int run_suite(const struct sb_options *options, json_t *arguments,
     const bool judged = options->check && result.row && !result.interrupted && !more;
     if (judged)
         sb_expect_check(&expected, result.row, result.row_count);
+    code = result.exit_code;
     if (result.row && !more)
-        print_results(options, &suite, &result, judged ? &expected : NULL, dir, good);
-    code =
-        good ? result.exit_code : sb_exit_code_worse(result.exit_code, sb_cli_fail(&err));
+        code = sb_exit_code_worse(code, show_results(options, &suite, &result,
+                                                     judged ? &expected : NULL, dir, good,
+                                                     arena));
+    if (!good)
+        code = sb_exit_code_worse(code, sb_cli_fail(&err));
     if (judged)
         code = sb_exit_code_worse(code, sb_cli_expect_code(options, &expected));
     sb_expect_free(&expected);
@@ -291,6 +378,10 @@ int sb_cmd_run(const struct sb_options *given, int argc, char **argv)
     json_t *arguments = NULL;
     int code;
     sb_interrupt_install();
+    if (!sb_outputs_check(given, &err)) {
+        code = sb_cli_fail(&err);
+        goto done;
+    }
     if (given->resume) {
         options = &earlier;
         if (!load_earlier_options(given, &earlier, &arguments, &arena, &err)) {

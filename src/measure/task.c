@@ -82,14 +82,6 @@ void sb_task_add_sample(struct sb_task *task, const struct sb_sample_row *row)
     task->sample[task->sample_count++] = *row;
 }
 
-double sb_sample_frame_ms(const struct sb_sample_row *row)
-{
-    if (row->flags != 0)
-        return NAN;
-    const int64_t ns = row->gpu_ns == SB_NO_COUNT ? row->wall_ns : row->gpu_ns;
-    return (double)ns / (double)row->batch * 1e-6;
-}
-
 void sb_task_free(struct sb_task *task, const struct sb_driver *driver)
 {
     if (task->loaded && driver->runner)

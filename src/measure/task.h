@@ -69,9 +69,6 @@ int sb_task_light_count(const struct sb_task *task);
 
 void sb_task_add_sample(struct sb_task *task, const struct sb_sample_row *row);
 
-// The time of a sample a frame in ms, by its timer source. NAN where flagged.
-double sb_sample_frame_ms(const struct sb_sample_row *row);
-
 // Releases the job and everything owned.
 void sb_task_free(struct sb_task *task, const struct sb_driver *driver);
 

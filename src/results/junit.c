@@ -1,36 +1,11 @@
 #include "results/junit.h"
 
 #include <stdint.h>
-#include <string.h>
 
 #include "base/file.h"
+#include "base/utf8.h"
 
 // --- characters ---------------------------------------------------------------------------
-
-// Steps over one code point of UTF-8 (RFC 3629, section 4); what is none is one byte, and -1.
-static int32_t next_code(const char **at)
-{
-    static const int32_t least[] = {0, 0x80, 0x800, 0x10000};
-    const unsigned char *byte = (const unsigned char *)*at;
-    const int more = byte[0] < 0x80                       ? 0
-                     : byte[0] >= 0xC2 && byte[0] <= 0xDF ? 1
-                     : byte[0] >= 0xE0 && byte[0] <= 0xEF ? 2
-                     : byte[0] >= 0xF0 && byte[0] <= 0xF4 ? 3
-                                                          : -1;
-    int32_t code = more > 0 ? byte[0] & (0x3F >> more) : byte[0];
-    ++*at;
-    if (more < 0)
-        return -1;
-    for (int i = 1; i <= more; i++) {
-        if ((byte[i] & 0xC0) != 0x80)
-            return -1;
-        code = code << 6 | (byte[i] & 0x3F);
-    }
-    if (code < least[more] || code > 0x10FFFF || (code >= 0xD800 && code <= 0xDFFF))
-        return -1;
-    *at += more;
-    return code;
-}
 
 // Char of XML 1.0, 2.2.
 static bool is_character(int32_t code)
@@ -45,9 +20,9 @@ static void add_escaped(struct sb_text *text, const char *string, bool attribute
 {
     for (const char *at = string; *at;) {
         const char *from = at;
-        const int32_t code = next_code(&at);
+        const int32_t code = sb_utf8_next(&at);
         if (code < 0 || !is_character(code))
-            sb_text_add(text, "\xEF\xBF\xBD");
+            sb_text_add(text, SB_UTF8_REPLACEMENT);
         else if (code == '\r' || (attribute && (code == '\n' || code == '\t')))
             sb_text_printf(text, "&#%d;", (int)code);
         else if (code == '<')
@@ -74,9 +49,32 @@ static void add_attribute(struct sb_text *text, const char *name, const char *va
 
 // --- elements -----------------------------------------------------------------------------
 
+// Some services show the text of a failure or an error, and neither of its attributes.
+static void add_outcome(const struct sb_junit_case *row, struct sb_text *text)
+{
+    static const struct {
+        const char *element, *type;
+    } outcomes[] = {
+        [SB_JUNIT_FAILED] = {"failure", "failure"},
+        [SB_JUNIT_ERROR] = {"error", "error"},
+        [SB_JUNIT_SKIPPED] = {"skipped", NULL},
+    };
+    const char *element = outcomes[row->outcome].element;
+    const char *body = row->details ? row->details : row->message;
+    sb_text_printf(text, "      <%s", element);
+    add_attribute(text, "message", row->message);
+    if (row->outcome == SB_JUNIT_SKIPPED) {
+        sb_text_add(text, "/>\n");
+        return;
+    }
+    add_attribute(text, "type", row->type ? row->type : outcomes[row->outcome].type);
+    sb_text_add(text, ">");
+    add_escaped(text, body ? body : "", false);
+    sb_text_printf(text, "</%s>\n", element);
+}
+
 static void add_case(const struct sb_junit_case *row, struct sb_text *text)
 {
-    static const char *const elements[] = {NULL, "failure", "skipped"};
     sb_text_add(text, "    <testcase");
     add_attribute(text, "classname", row->class_name);
     add_attribute(text, "name", row->name);
@@ -85,19 +83,8 @@ static void add_case(const struct sb_junit_case *row, struct sb_text *text)
         return;
     }
     sb_text_add(text, ">\n");
-    if (row->outcome != SB_JUNIT_PASSED) {
-        sb_text_printf(text, "      <%s", elements[row->outcome]);
-        add_attribute(text, "message", row->message);
-        if (row->outcome == SB_JUNIT_FAILED) {
-            // Some services show the text of a failure, and neither of its attributes.
-            add_attribute(text, "type", row->type ? row->type : "failure");
-            sb_text_add(text, ">");
-            add_escaped(text, row->message ? row->message : "", false);
-            sb_text_add(text, "</failure>\n");
-        } else {
-            sb_text_add(text, "/>\n");
-        }
-    }
+    if (row->outcome != SB_JUNIT_PASSED)
+        add_outcome(row, text);
     if (row->output) {
         sb_text_add(text, "      <system-out>");
         add_escaped(text, row->output, false);
@@ -106,22 +93,29 @@ static void add_case(const struct sb_junit_case *row, struct sb_text *text)
     sb_text_add(text, "    </testcase>\n");
 }
 
-static int count_of(const struct sb_junit_suite *suite, enum sb_junit_outcome outcome)
+static void count_outcomes(const struct sb_junit_suite *suite,
+                           int count[SB_JUNIT_OUTCOMES])
 {
-    int count = 0;
     for (int i = 0; i < suite->count; i++)
-        count += suite->row[i].outcome == outcome;
-    return count;
+        count[suite->row[i].outcome]++;
+}
+
+static void add_counts(struct sb_text *text, int tests,
+                       const int count[SB_JUNIT_OUTCOMES])
+{
+    sb_text_printf(text, " tests=\"%d\" failures=\"%d\" errors=\"%d\" skipped=\"%d\">\n",
+                   tests, count[SB_JUNIT_FAILED], count[SB_JUNIT_ERROR],
+                   count[SB_JUNIT_SKIPPED]);
 }
 
 static void add_suite(const struct sb_junit *junit, const struct sb_junit_suite *suite,
                       struct sb_text *text)
 {
+    int count[SB_JUNIT_OUTCOMES] = {0};
+    count_outcomes(suite, count);
     sb_text_add(text, "  <testsuite");
     add_attribute(text, "name", suite->name);
-    sb_text_printf(text, " tests=\"%d\" failures=\"%d\" errors=\"0\" skipped=\"%d\">\n",
-                   suite->count, count_of(suite, SB_JUNIT_FAILED),
-                   count_of(suite, SB_JUNIT_SKIPPED));
+    add_counts(text, suite->count, count);
     if (junit->property_count)
         sb_text_add(text, "    <properties>\n");
     for (int i = 0; i < junit->property_count; i++) {
@@ -139,16 +133,14 @@ static void add_suite(const struct sb_junit *junit, const struct sb_junit_suite 
 
 void sb_junit_text(const struct sb_junit *junit, struct sb_text *text)
 {
-    int tests = 0, failures = 0, skipped = 0;
+    int tests = 0, count[SB_JUNIT_OUTCOMES] = {0};
     for (int i = 0; i < junit->count; i++) {
         tests += junit->suite[i].count;
-        failures += count_of(&junit->suite[i], SB_JUNIT_FAILED);
-        skipped += count_of(&junit->suite[i], SB_JUNIT_SKIPPED);
+        count_outcomes(&junit->suite[i], count);
     }
     sb_text_add(text, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites");
     add_attribute(text, "name", junit->name);
-    sb_text_printf(text, " tests=\"%d\" failures=\"%d\" errors=\"0\" skipped=\"%d\">\n",
-                   tests, failures, skipped);
+    add_counts(text, tests, count);
     for (int i = 0; i < junit->count; i++)
         add_suite(junit, &junit->suite[i], text);
     sb_text_add(text, "</testsuites>\n");

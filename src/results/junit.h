@@ -1,18 +1,27 @@
-// JUnit XML, as CI services read it: suites of cases that passed, failed or were skipped.
+// JUnit XML, as CI services read it: suites of cases that passed, failed, could not be judged
+// or were skipped.
 // The schema is that of Ant's junitreport task, as Jenkins documents it.
 #pragma once
 
 #include "base/error.h"
 #include "base/text.h"
 
-enum sb_junit_outcome { SB_JUNIT_PASSED, SB_JUNIT_FAILED, SB_JUNIT_SKIPPED };
+enum sb_junit_outcome {
+    SB_JUNIT_PASSED,
+    SB_JUNIT_FAILED,
+    SB_JUNIT_ERROR,
+    SB_JUNIT_SKIPPED,
+    SB_JUNIT_OUTCOMES
+};
 
 struct sb_junit_case {
     const char *class_name, *name;
     enum sb_junit_outcome outcome;
-    const char *type;    // of a failure: "finite"; NULL: none
-    const char *message; // of a failure, or why it was skipped; NULL: none
+    const char *type;    // of a failure or an error: "finite"; NULL: that word
+    const char *message; // of a failure or an error, or why it was skipped; NULL: none
     const char *output;  // what it has to say besides (system-out); NULL: nothing
+    const char
+        *details; // text of a failure or an error, of several lines; NULL: the message
 };
 struct sb_junit_suite {
     const char *name;

@@ -76,3 +76,16 @@ void sb_case_row_init(struct sb_case_row *row)
 {
     sb_columns_clear(row, sb_case_columns, sb_case_column_count);
 }
+
+double sb_sample_frame_ns(const struct sb_sample_row *row)
+{
+    if (row->flags != 0)
+        return NAN;
+    const int64_t ns = row->gpu_ns == SB_NO_COUNT ? row->wall_ns : row->gpu_ns;
+    return (double)ns / (double)row->batch;
+}
+
+double sb_sample_frame_ms(const struct sb_sample_row *row)
+{
+    return sb_sample_frame_ns(row) * 1e-6;
+}

@@ -62,3 +62,7 @@ void sb_columns_clear(void *row, const struct sb_column *columns, int count);
 void sb_row_init(struct sb_row *row);
 void sb_sample_row_init(struct sb_sample_row *row);
 void sb_case_row_init(struct sb_case_row *row);
+
+// The time of a sample a frame, by its timer source. NAN where flagged.
+double sb_sample_frame_ns(const struct sb_sample_row *row);
+double sb_sample_frame_ms(const struct sb_sample_row *row);
