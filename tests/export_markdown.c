@@ -46,6 +46,17 @@ static void no_text_breaks_the_table_or_marks_itself_up(void **state)
     free(text);
 }
 
+static void where_nothing_passed_nothing_is_folded(void **state)
+{
+    (void)state;
+    const struct sb_export export = {
+        .name = "n", .row = &pair_rows[BASE], .row_count = HEAD - BASE + 1};
+    char *text = written("markdown", &export);
+    check_contains(text, "**1 failed**, 0 passed\n\n| variant |");
+    assert_null(strstr(text, "<details>"));
+    free(text);
+}
+
 static void nobody_is_called_and_nothing_linked(void **state)
 {
     (void)state;
@@ -67,6 +78,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_did_not_pass_comes_first_and_the_rest_is_folded),
         cmocka_unit_test(no_text_breaks_the_table_or_marks_itself_up),
+        cmocka_unit_test(where_nothing_passed_nothing_is_folded),
         cmocka_unit_test(nobody_is_called_and_nothing_linked),
     };
     return run_tests(tests);

@@ -20,6 +20,7 @@ struct sb_export_counter { // a figure besides the times: "max_err"
 };
 
 // One measured thing: a variant of a run, or a side of a pair. Everything is borrowed.
+// A number that is not known is NAN, and not what a zeroed struct has.
 struct sb_export_row {
     const char *scene, *variant; // "room" and its id; with `side` they are unique
     // Of a pair, "base" or "head"; NULL: of a run. What is judged of a pair stands in its head;
@@ -43,12 +44,10 @@ struct sb_export_row {
 enum sb_export_property_type { SB_EXPORT_TEXT, SB_EXPORT_NUMBER, SB_EXPORT_NUMBERS };
 enum {
     SB_EXPORT_HEAD = 1, // a reader wants it beside the results
-    SB_EXPORT_ONCE =
-        2, // of this run alone: runs that differ in it are still to be compared
+    SB_EXPORT_ONCE = 2, // of this run alone: others are compared with it all the same
 };
 struct sb_export_property {
-    const char
-        *name; // a-z, 0-9 and _; Google Benchmark's where it has the thing: num_cpus
+    const char *name;  // a-z, 0-9 and _; Google Benchmark's if it has one: num_cpus
     const char *value; // one line; of NUMBERS with blanks between them. NULL: left out
     enum sb_export_property_type type;
     unsigned flags;
