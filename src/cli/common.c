@@ -169,6 +169,38 @@ bool sb_cli_driver_params(const struct sb_options *options, const struct sb_suit
     return true;
 }
 
+bool sb_cli_read_share(const char *option, const char *text, double *share,
+                       struct sb_error *err)
+{
+    char number[32] = "";
+    const size_t length = strlen(text);
+    const bool percent = length && text[length - 1] == '%';
+    if (length < sizeof number)
+        memcpy(number, text, length - percent);
+    if (!sb_parse_number(number, share) || *share < 0 || *share >= (percent ? 100 : 1))
+        return sb_fail(err, SB_USAGE,
+                       "%s %s: a share is wanted, as 2%% or 0.02, below 100%%", option,
+                       text);
+    if (percent)
+        *share /= 100;
+    return true;
+}
+
+json_t *sb_cli_arguments_json(int argc, char **argv, struct sb_error *err)
+{
+    json_t *list = json_array();
+    for (int i = 2; i < argc; i++)
+        if (argc > SB_ARGUMENTS_MAX ||
+            json_array_append_new(list, json_string(argv[i])) != 0) {
+            sb_fail(err, SB_USAGE,
+                    "argument %d: at most %d, in UTF-8, can be kept beside the results",
+                    i, SB_ARGUMENTS_MAX);
+            json_decref(list);
+            return NULL;
+        }
+    return list;
+}
+
 void sb_cli_print_json(json_t *value)
 {
     char *text = json_dumps(value, JSON_INDENT(2) | JSON_REAL_PRECISION(17));

@@ -15,6 +15,7 @@ int sb_cmd_verify(const struct sb_options *options, int argc, char **argv);
 int sb_cmd_compare(const struct sb_options *options, int argc, char **argv);
 int sb_cmd_fit(const struct sb_options *options, int argc, char **argv);
 int sb_cmd_plan(const struct sb_options *options, int argc, char **argv);
+int sb_cmd_gate(const struct sb_options *options, int argc, char **argv);
 int sb_cmd_run(const struct sb_options *options, int argc, char **argv);
 
 // Prints the error and returns its exit code.
@@ -44,5 +45,14 @@ bool sb_cli_add_variant(const char *word, struct sb_options *options,
 // From options and the suite's platform axes; sets the driver's environment.
 bool sb_cli_driver_params(const struct sb_options *options, const struct sb_suite *suite,
                           struct sb_driver_params *params, struct sb_error *err);
+
+// "2%" or "0.02", of the option called `option`. SB_USAGE.
+bool sb_cli_read_share(const char *option, const char *text, double *share,
+                       struct sb_error *err);
+
+// What a command was started with, the words behind it, for the record beside its results. New
+// reference; NULL where JSON cannot hold them.
+enum { SB_ARGUMENTS_MAX = 256 };
+json_t *sb_cli_arguments_json(int argc, char **argv, struct sb_error *err);
 
 void sb_cli_print_json(json_t *value); // steals the reference

@@ -39,24 +39,6 @@ struct comparison {
 
 // --- input ----------------------------------------------------------------------------------
 
-// "2%" or "0.02".
-static bool read_tolerance(const char *text, double *tolerance, struct sb_error *err)
-{
-    char number[32] = "";
-    const size_t length = strlen(text);
-    const bool percent = length && text[length - 1] == '%';
-    if (length < sizeof number)
-        memcpy(number, text, length - percent);
-    if (!sb_parse_number(number, tolerance) || *tolerance < 0 ||
-        *tolerance >= (percent ? 100 : 1))
-        return sb_fail(err, SB_USAGE,
-                       "--tolerance %s: a share is wanted, as 2%% or 0.02, below 100%%",
-                       text);
-    if (percent)
-        *tolerance /= 100;
-    return true;
-}
-
 // A folder of which only summary.csv is left has no facts.
 static void load_facts(struct run *run, struct sb_arena *arena)
 {
@@ -92,7 +74,7 @@ static bool load(struct comparison *all, struct sb_error *err)
     const struct sb_options *options = all->options;
     all->tolerance = usual_tolerance;
     if ((options->tolerance &&
-         !read_tolerance(options->tolerance, &all->tolerance, err)) ||
+         !sb_cli_read_share("--tolerance", options->tolerance, &all->tolerance, err)) ||
         !sb_results_load(options, options->word[0], &all->a.compared, &all->arena, err) ||
         !sb_results_load(options, options->word[1], &all->b.compared, &all->arena, err))
         return false;

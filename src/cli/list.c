@@ -8,7 +8,9 @@
 #include "cli/common.h"
 #include "cli/table.h"
 #include "export/export.h"
-#include "results/row.h"
+#include "gate/metric.h"
+#include "results/gate_row.h"
+#include "stats/gate.h"
 #include "scene/scene.h"
 #ifdef SB_HAVE_GL
 #include "context/context.h"
@@ -170,6 +172,8 @@ static bool list_columns(struct listing *listing, const struct sb_options *optio
     add_columns(listing, "summary.csv", sb_summary_columns, sb_summary_column_count);
     add_columns(listing, "samples.csv", sb_sample_columns, sb_sample_column_count);
     add_columns(listing, "cases.csv", sb_case_columns, sb_case_column_count);
+    add_columns(listing, "gate.csv", sb_gate_columns, sb_gate_column_count);
+    add_columns(listing, "pairs.csv", sb_pair_columns, sb_pair_column_count);
     return true;
 }
 
@@ -236,6 +240,30 @@ static bool list_formats(struct listing *listing, const struct sb_options *optio
     return true;
 }
 
+static bool list_verdicts(struct listing *listing, const struct sb_options *options,
+                          struct sb_error *err)
+{
+    (void)options;
+    (void)err;
+    *listing = (struct listing){{"verdict", "help"}, 2, listing->rows, 0};
+    for (int i = 0; i < SB_GATE_VERDICT_COUNT; i++)
+        add(listing, (const char *const[]){sb_gate_verdict_rows[i].word,
+                                           sb_gate_verdict_rows[i].help});
+    return true;
+}
+
+static bool list_metrics(struct listing *listing, const struct sb_options *options,
+                         struct sb_error *err)
+{
+    (void)options;
+    (void)err;
+    *listing = (struct listing){{"metric", "help"}, 2, listing->rows, 0};
+    for (int i = 0; i < SB_METRIC_COUNT; i++)
+        add(listing,
+            (const char *const[]){sb_metric_rows[i].name, sb_metric_rows[i].help});
+    return true;
+}
+
 static const struct {
     const char *name;
     bool (*fill)(struct listing *listing, const struct sb_options *options,
@@ -244,7 +272,8 @@ static const struct {
     {"suites", list_suites},   {"presets", list_presets},   {"scenes", list_scenes},
     {"axes", list_axes},       {"contexts", list_contexts}, {"timers", list_timers},
     {"columns", list_columns}, {"settings", list_settings}, {"statuses", list_statuses},
-    {"cases", list_cases},     {"formats", list_formats},
+    {"cases", list_cases},     {"formats", list_formats},   {"verdicts", list_verdicts},
+    {"metrics", list_metrics},
 };
 enum { LIST_COUNT = sizeof lists / sizeof *lists };
 

@@ -17,11 +17,13 @@ enum {
     EXPLAIN = 64,
     FIT = 128,
     PLANNER = 256,
-    ALL = 511
+    GATE = 512,
+    ALL = 1023
 };
-enum { PLAN = RUN | SHOW | VERIFY | EXPLAIN };     // commands that take variants
-enum { WORKERS = RUN | PROBE | EXPLAIN };          // those that may draw by a worker
-enum { OFFLINE = LIST | COMPARE | FIT | PLANNER }; // those that are of no platform
+enum { PLAN = RUN | SHOW | VERIFY | EXPLAIN | GATE }; // commands that take variants
+enum { MEASURE = RUN | GATE };                        // those that take measure settings
+enum { WORKERS = RUN | PROBE | EXPLAIN | GATE };      // those that may draw by a worker
+enum { OFFLINE = LIST | COMPARE | FIT | PLANNER };    // those that are of no platform
 
 enum option_type { FLAG, TEXT, ASSIGNMENT, OUTPUT };
 
@@ -43,7 +45,7 @@ static const struct option options_table[] = {
     {"cross",    0,   "AXIS=LIST",  PLAN,             ASSIGNMENT, AT(cross),    "multiply all variants by these values"},
     {"scene",    0,   "NAME",       PLAN,             TEXT,       AT(scene),    "the scene to draw (shadebench list scenes)"},
     {"preset",   0,   "NAME,…",     PLAN,             TEXT,       AT(preset),   "start from a preset, or from several side by side (shadebench list presets)"},
-    {"output",   'o', "DIR",        RUN|VERIFY,       TEXT,       AT(output),   "results folder; default: shadebench-results/SUITE-DATE, or verify-DATE"},
+    {"output",   'o', "DIR",        RUN|VERIFY|GATE,  TEXT,       AT(output),   "results folder; default: shadebench-results/SUITE-DATE, gate-DATE or verify-DATE"},
     {"resume",   0,   "DIR",        RUN,              TEXT,       AT(resume),   "go on with an interrupted run, or with its next process"},
     {"images",   0,   NULL,         RUN,              FLAG,       AT(images),   "write a PNG of each variant, of its shadow maps, and a contact sheet"},
     {"payback",  0,   NULL,         RUN,              FLAG,       AT(payback),  "policies: draw, too, the frames after which each has paid for its programs"},
@@ -60,7 +62,7 @@ static const struct option options_table[] = {
     {"time",     0,   NULL,         VERIFY,           FLAG,       AT(time),     "cases: what each guard costs here, timed"},
     {"search",   0,   "SECONDS",    VERIFY,           TEXT,       AT(search),   "look for hard cases that nobody has written down"},
     {"seed",     0,   "N",          VERIFY,           TEXT,       AT(seed),     "of the search, and of the order of timed rounds [1]"},
-    {"write",    0,   "FORMAT=FILE", RUN,             OUTPUT,     AT(write),    "write the results for another program, too (shadebench list formats); FILE -: to stdout, instead of the table; may be repeated"},
+    {"write",    0,   "FORMAT=FILE", RUN|GATE,        OUTPUT,     AT(write),    "write the results for another program, too (shadebench list formats); FILE -: to stdout, instead of the table; may be repeated"},
     {"pareto",   0,   NULL,         COMPARE,          FLAG,       AT(pareto),   "rank the rows of a run over time and error: the front, and what is dominated"},
     {"terms",    0,   NULL,         COMPARE,          FLAG,       AT(terms),    "the price of each term's precision, from a run of the suite terms"},
     {"policies", 0,   NULL,         COMPARE,          FLAG,       AT(policies), "what each policy (axis specialise) saves against the program for all scenes"},
@@ -75,9 +77,22 @@ static const struct option options_table[] = {
     {"exhaustive",0,  NULL,         PLANNER,          FLAG,       AT(exhaustive),"try all choices, too, where they are few enough"},
     {"validate", 0,   NULL,         SHOW,             FLAG,       AT(validate), "check the sources with glslangValidator"},
     {"effects",  0,   NULL,         SHOW,             FLAG,       AT(effects),  "not sources: what each draw of the scene calls for, and why the rest is left out"},
-    {"timer",    0,   "NAME",       RUN|PROBE|VERIFY, TEXT,       AT(timer),    "timer source to use, if its audit allows; default: auto"},
+    {"base",     0,   "SHADERS",    GATE,             TEXT,       AT(base),     "what is held against: a shader folder, or a git revision of head's"},
+    {"head",     0,   "SHADERS",    GATE,             TEXT,       AT(head),     "what is judged, likewise; default: the shaders of this program, or --shaders"},
+    {"base-set", 0,   "AXIS=VALUE", GATE,             ASSIGNMENT, AT(base_set), "two variants: give base's side of the plan a value; may be repeated"},
+    {"head-set", 0,   "AXIS=VALUE", GATE,             ASSIGNMENT, AT(head_set), "and head's"},
+    {"base-env", 0,   "NAME=VALUE", GATE,             ASSIGNMENT, AT(base_env), "two environments: set a variable for base's process; may be repeated"},
+    {"head-env", 0,   "NAME=VALUE", GATE,             ASSIGNMENT, AT(head_env), "and for head's"},
+    {"tolerance",0,   "SHARE",      GATE,             TEXT,       AT(tolerance),"what head may cost more, as 2% or 0.02 [2%]"},
+    {"metric",   0,   "NAME",       GATE,             TEXT,       AT(metric),   "what is compared (shadebench list metrics); default: cpu where a CPU draws, else gpu"},
+    {"selftest", 0,   NULL,         GATE,             FLAG,       AT(selftest), "hold base against itself, renamed: how much does this machine favour one of two equal programs? Exit code 3: more than half the tolerance"},
+    {"keep-equal", 0, NULL,         GATE,             FLAG,       AT(keep_equal), "time variants whose final sources are equal, too: a gate that must not alarm"},
+    {"cases",    0,   NULL,         GATE,             FLAG,       AT(hard_cases), "verify the hard cases on both sides, too: exit code 1 where one that base passes fails"},
+    {"fail-on-inconclusive", 0, NULL, GATE,           FLAG,       AT(fail_on_inconclusive), "exit code 4 where a variant is neither clearly slower nor clearly not"},
+    {"bisect",   0,   NULL,         GATE,             FLAG,       AT(bisect),   "exit codes for git bisect run: 125, skip, in place of 3, 4 and 77"},
+    {"timer",    0,   "NAME",       RUN|PROBE|VERIFY|GATE, TEXT,       AT(timer),    "timer source to use, if its audit allows; default: auto"},
     {"pixel",    0,   "X,Y",        EXPLAIN,          TEXT,       AT(pixel),    "the pixel to explain, counted from the lower left"},
-    {"device",   0,   "N",          RUN|PROBE|VERIFY|EXPLAIN, TEXT,       AT(device),   "EGL device number, where there are several"},
+    {"device",   0,   "N",          RUN|PROBE|VERIFY|EXPLAIN|GATE, TEXT,  AT(device),   "EGL device number, where there are several"},
     {"worker",   0,   "COMMAND",    WORKERS,          TEXT,       AT(worker),   "what starts a worker: 'ssh HOST shadebench-worker'; default: the one beside this program"},
     {"worker-limit", 0, "SECONDS",  WORKERS,          TEXT,       AT(worker_limit), "a worker that takes longer over one call is killed [120]"},
     {"in-process", 0, NULL,         WORKERS,          FLAG,       AT(in_process), "draw in this process, for a debugger: a driver that crashes ends it"},
@@ -106,7 +121,7 @@ static int option_names(const struct sb_command *command, const char **names, in
     for (int i = 0; i < OPTION_COUNT && count < room; i++)
         if (options_table[i].commands & command->bit)
             names[count++] = sb_arena_printf(arena, "--%s", options_table[i].name);
-    for (int i = 0; (command->bit & RUN) && i < sb_measure_row_count && count < room;
+    for (int i = 0; (command->bit & MEASURE) && i < sb_measure_row_count && count < room;
          i++) {
         char *name = sb_arena_printf(arena, "--%s", sb_measure_rows[i].name);
         for (char *p = name; *p; p++)
@@ -129,8 +144,8 @@ static bool unknown_option(const struct sb_command *command, const char *word,
         sb_fail(err, SB_USAGE, "%s: %s", command->name, err->text);
         return false;
     }
-    const char *names[64];
-    const int count = option_names(command, names, 64, arena);
+    const char *names[96];
+    const int count = option_names(command, names, 96, arena);
     return sb_fail_unknown(err, command->name, "option", word, names, count);
 }
 
@@ -141,8 +156,9 @@ static bool add_assignment(struct sb_assignments *list, const char *option,
     const char *equals = strchr(text, '=');
     if (!equals || equals == text)
         return sb_fail(err, SB_USAGE,
-                       "--%s %s: AXIS=VALUE in one word is wanted, such as --%s point=4",
-                       option, text, option);
+                       "--%s %s: NAME=VALUE in one word is wanted, such as --%s %s",
+                       option, text, option,
+                       strstr(option, "-env") ? "LP_NUM_THREADS=1" : "point=4");
     if (list->count == SB_ASSIGNMENTS_MAX)
         return sb_fail(err, SB_USAGE, "--%s: more than %d of them", option,
                        SB_ASSIGNMENTS_MAX);
@@ -165,7 +181,7 @@ static bool derived_option(const struct sb_command *command, const char *name,
     for (char *p = plain; *p; p++)
         *p = *p == '-' ? '_' : *p;
     struct sb_assignments *list = NULL;
-    for (int i = 0; (command->bit & RUN) && i < sb_measure_row_count; i++)
+    for (int i = 0; (command->bit & MEASURE) && i < sb_measure_row_count; i++)
         if (strcmp(sb_measure_rows[i].name, plain) == 0)
             list = &options->setting;
     const struct sb_axes *axes = sb_axes_builtin();
@@ -306,7 +322,7 @@ void sb_options_help(const struct sb_command *command)
         if (is_option(&axes->row[i]))
             help_line(axes->row[i].name, axes->row[i].values ? "WORD" : "N", 0,
                       axes->row[i].help);
-    if (!(command->bit & RUN))
+    if (!(command->bit & MEASURE))
         return;
     printf("\nmeasuring, each also under `measure:` in a suite:\n");
     for (int i = 0; i < sb_measure_row_count; i++) {

@@ -17,24 +17,6 @@
 #include "measure/run.h"
 #include "results/store.h"
 
-enum { ARGUMENTS_MAX = 256 };
-
-// What a run was started with: the words behind `run`. NULL where run.json cannot hold them.
-static json_t *arguments_json(int argc, char **argv, struct sb_error *err)
-{
-    json_t *list = json_array();
-    for (int i = 2; i < argc; i++)
-        if (argc > ARGUMENTS_MAX ||
-            json_array_append_new(list, json_string(argv[i])) != 0) {
-            sb_fail(err, SB_USAGE,
-                    "argument %d: at most %d, in UTF-8, can be kept for --resume", i,
-                    ARGUMENTS_MAX);
-            json_decref(list);
-            return NULL;
-        }
-    return list;
-}
-
 // What a folder holds was measured with one plan on one driver; another is another run.
 static bool check_resume(const struct sb_options *now, struct sb_error *err)
 {
@@ -83,12 +65,12 @@ static bool load_earlier_options(const struct sb_options *now, struct sb_options
     if (!run)
         return false;
     *arguments = json_incref(json_object_get(run, "arguments"));
-    char *words[2 * ARGUMENTS_MAX];
+    char *words[2 * SB_ARGUMENTS_MAX];
     int count = 0;
     size_t i;
     const json_t *word;
     json_array_foreach(*arguments, i,
-                       word) if (count < 2 * ARGUMENTS_MAX && json_is_string(word))
+                       word) if (count < 2 * SB_ARGUMENTS_MAX && json_is_string(word))
         words[count++] = sb_arena_strdup(arena, json_string_value(word));
     json_decref(run);
     if (!sb_options_parse(command, count, words, options, arena, err))
@@ -389,7 +371,7 @@ int sb_cmd_run(const struct sb_options *given, int argc, char **argv)
             goto done;
         }
     } else {
-        arguments = arguments_json(argc, argv, &err);
+        arguments = sb_cli_arguments_json(argc, argv, &err);
         if (!arguments) {
             code = sb_cli_fail(&err);
             goto done;

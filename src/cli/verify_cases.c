@@ -206,7 +206,8 @@ static void cell_done(void *user, const struct sb_matrix_cell *cell, int count, 
     struct sb_arena arena = {0};
     struct sb_case_row row;
     sb_verify_row(asking->verify, cell, &arena, &row);
-    if (!asking->failed && !sb_row_file_add(asking->file, &row, 1, sizeof row, &asking->err)) {
+    if (!asking->failed &&
+        !sb_row_file_add(asking->file, &row, 1, sizeof row, &asking->err)) {
         asking->failed = true;
         sb_warn("%s", asking->err.text);
     }
@@ -376,9 +377,10 @@ static void verify_all(struct sb_verify *verify, int argc, char **argv,
 
 static struct sb_row_file *open_file(const char *dir, struct sb_error *err)
 {
-    return sb_row_file_open(
-        &(struct sb_row_file_params){dir, "cases.csv", sb_case_columns, sb_case_column_count},
-        err);
+    return sb_row_file_open(&(struct sb_row_file_params){dir, "cases.csv",
+                                                         sb_case_columns,
+                                                         sb_case_column_count},
+                            err);
 }
 
 int sb_cli_verify_cases(const struct sb_options *options, int argc, char **argv,

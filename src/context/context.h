@@ -18,7 +18,7 @@ struct sb_context_fns {
                   struct sb_error *); // current on return
     void (*close)(void *self);        // NULL is allowed
     sb_proc (*proc)(void *self, const char *name);
-    void (*present)(void *self); // optional: a window
+    void (*present)(void *self);  // optional: a window
     bool (*software)(void *self); // optional: does it say that a CPU draws?
 };
 

@@ -122,10 +122,10 @@ static bool load(struct egl *egl, struct sb_text *why)
             (PFNEGLQUERYDEVICESEXTPROC)egl->get_proc("eglQueryDevicesEXT");
     if (has_word(client, "EGL_EXT_device_query") ||
         has_word(client, "EGL_EXT_device_base")) {
-        egl->query_display = (PFNEGLQUERYDISPLAYATTRIBEXTPROC)egl->get_proc(
-            "eglQueryDisplayAttribEXT");
-        egl->query_device_string = (PFNEGLQUERYDEVICESTRINGEXTPROC)egl->get_proc(
-            "eglQueryDeviceStringEXT");
+        egl->query_display =
+            (PFNEGLQUERYDISPLAYATTRIBEXTPROC)egl->get_proc("eglQueryDisplayAttribEXT");
+        egl->query_device_string =
+            (PFNEGLQUERYDEVICESTRINGEXTPROC)egl->get_proc("eglQueryDeviceStringEXT");
     }
     return true;
 }

@@ -27,16 +27,16 @@ static void prepare_all(struct sb_gate_session *session)
 static bool open_files(struct sb_gate_state *gate, struct sb_error *err)
 {
     const char *dir = gate->params.dir;
-    gate->pairs = sb_row_file_open(
-        &(struct sb_row_file_params){dir, "pairs.csv", sb_pair_columns,
-                                     sb_pair_column_count},
-        err);
-    gate->summary = gate->pairs ? sb_row_file_open(
-                                      &(struct sb_row_file_params){dir, "gate.csv",
-                                                                   sb_gate_columns,
-                                                                   sb_gate_column_count},
-                                      err)
-                                : NULL;
+    gate->pairs =
+        sb_row_file_open(&(struct sb_row_file_params){dir, "pairs.csv", sb_pair_columns,
+                                                      sb_pair_column_count},
+                         err);
+    gate->summary =
+        gate->pairs ? sb_row_file_open(&(struct sb_row_file_params){dir, "gate.csv",
+                                                                    sb_gate_columns,
+                                                                    sb_gate_column_count},
+                                       err)
+                    : NULL;
     return gate->summary != NULL;
 }
 
@@ -115,11 +115,15 @@ static void fill_row(struct sb_gate_state *gate, int i)
     struct sb_gate_row *row = &gate->row[i];
     const struct sb_gate_row earlier = *row; // of a confirmation
     sb_gate_row_init(row);
-    row->variant = head->entry ? head->entry->id
-                               : gate->params.side[SB_HEAD].suite->entry[i].id;
+    row->variant =
+        head->entry ? head->entry->id : gate->params.side[SB_HEAD].suite->entry[i].id;
     row->scene = gate->params.side[SB_HEAD].suite->entry[i].scene;
-    row->verdict = sb_gate_verdict_rows[verdict_of(pair)].word;
-    row->status = sb_status_rows[head->status != SB_OK ? head->status : base->status].word;
+    const enum sb_gate_verdict verdict = verdict_of(pair);
+    if (!gate->params.selftest || verdict == SB_GATE_INVALID ||
+        verdict == SB_GATE_SKIPPED)
+        row->verdict = sb_gate_verdict_rows[verdict].word;
+    row->status =
+        sb_status_rows[head->status != SB_OK ? head->status : base->status].word;
     row->picture = pair->picture;
     row->metric = sb_metric_rows[gate->session.metric].name;
     row->tolerance = gate->params.rule.tolerance;
@@ -281,12 +285,11 @@ static void judge_bias(struct sb_gate_state *gate, struct sb_gate_result *result
     for (int i = 0; i < session->pair_count; i++) {
         const struct sb_gate_pair *pair = &session->pair[i];
         double *scratch = sb_alloc(((size_t)pair->count + 1) * sizeof *scratch);
-        ratio[i] = sb_paired_ratio(pair->value[SB_BASE], pair->value[SB_HEAD], pair->count,
-                                   1 - 0.05 / fmax(count, 1), scratch);
+        ratio[i] = sb_paired_ratio(pair->value[SB_BASE], pair->value[SB_HEAD],
+                                   pair->count, 1 - 0.05 / fmax(count, 1), scratch);
         free(scratch);
     }
-    result->bias =
-        sb_gate_bias(ratio, session->pair_count, gate->params.rule.tolerance);
+    result->bias = sb_gate_bias(ratio, session->pair_count, gate->params.rule.tolerance);
     if (!result->bias.tolerable)
         result->exit_code = sb_exit_code_worse(
             result->exit_code, sb_status_rows[SB_SAMPLES_INVALID].exit_code);
@@ -363,6 +366,12 @@ bool sb_gate_run(const struct sb_gate_params *params, struct sb_gate_result *res
     result->exit_code =
         sb_exit_code_worse(result->exit_code, sb_status_rows[err->status].exit_code);
     return false;
+}
+
+const double *sb_gate_values(const struct sb_gate_result *result, int row,
+                             enum sb_side side)
+{
+    return result->state->session.pair[row].value[side];
 }
 
 void sb_gate_result_free(struct sb_gate_result *result)

@@ -30,7 +30,8 @@ struct sb_gate_params {
     bool keep_equal;
     // All variants get confirm_pairs pairs, and no verdict: what is wanted is the bias.
     bool selftest;
-    struct sb_gate_rule rule; // of all variants; `variants` is set to those that are timed
+    struct sb_gate_rule
+        rule; // of all variants; `variants` is set to those that are timed
     enum sb_metric metric;
     const struct sb_measure_settings *settings; // budget, seed, batch, batch_ms
     const char *data_dir;
@@ -46,9 +47,9 @@ struct sb_gate_result {
     struct sb_gate_rule rule;
     struct sb_gate_bias bias; // selftest
     struct sb_caps caps[SB_SIDES];
-    const char *timer;     // the metric's source: that of GL, or the clock
-    double seconds;        // all of it
-    double median_mde;     // over the variants that were timed; NAN: none was
+    const char *timer; // the metric's source: that of GL, or the clock
+    double seconds;    // all of it
+    double median_mde; // over the variants that were timed; NAN: none was
     bool interrupted;
     int exit_code;               // the worst of the rows
     struct sb_gate_state *state; // keeps what the rows point to
@@ -58,4 +59,7 @@ struct sb_gate_result {
 // the rows are there all the same. *result must be zeroed; free also after failure.
 bool sb_gate_run(const struct sb_gate_params *params, struct sb_gate_result *result,
                  struct sb_error *err);
+// The batches of a row's pairs by the metric, in the order of measuring: row->pairs values.
+const double *sb_gate_values(const struct sb_gate_result *result, int row,
+                             enum sb_side side);
 void sb_gate_result_free(struct sb_gate_result *result);

@@ -49,9 +49,8 @@ static bool least(struct sb_gate_session *session, const struct sb_gate_pair *pa
             return false;
         }
     }
-    return isfinite(*ns) ||
-           sb_fail(err, SB_SAMPLES_INVALID, "no batch of %d frames has a valid time",
-                   frames);
+    return isfinite(*ns) || sb_fail(err, SB_SAMPLES_INVALID,
+                                    "no batch of %d frames has a valid time", frames);
 }
 
 // The fewest frames for which both sides take batch_ms, unless one then takes too long.
@@ -70,8 +69,8 @@ static bool calibrate(struct sb_gate_session *session, struct sb_gate_pair *pair
         const double longer = fmax(ns[SB_BASE], ns[SB_HEAD]);
         if (shorter >= wanted || longer >= LONGEST_NS || pair->batch >= BATCH_MAX)
             break;
-        const double factor = fmin(fmin(fmax(wanted / shorter, 1.1), 10),
-                                   fmax(LONGEST_NS / longer, 1.1));
+        const double factor =
+            fmin(fmin(fmax(wanted / shorter, 1.1), 10), fmax(LONGEST_NS / longer, 1.1));
         pair->batch = (int)fmin(ceil(pair->batch * factor), BATCH_MAX);
     }
     return true;
@@ -88,10 +87,11 @@ static bool check_metric(struct sb_gate_session *session, const struct sb_gate_p
         !least(session, pair, side, FRAMES, &batch, err))
         return false;
     return batch >= 0.7 * FRAMES * one || one < 1e5 ||
-           sb_fail(err, SB_NO_TIMER,
-                   "%s of %d frames in one batch is %.2f of that of as many frames drained "
-                   "one by one: draws were dropped",
-                   sb_metric_rows[session->metric].name, FRAMES, batch / (FRAMES * one));
+           sb_fail(
+               err, SB_NO_TIMER,
+               "%s of %d frames in one batch is %.2f of that of as many frames drained "
+               "one by one: draws were dropped",
+               sb_metric_rows[session->metric].name, FRAMES, batch / (FRAMES * one));
 }
 
 // Both batches of a pair; where the sides share a process, as one message.
@@ -153,8 +153,8 @@ static void keep(struct sb_gate_pair *pair, const int64_t value[SB_SIDES])
     int capacity = pair->capacity;
     for (int side = 0; side < SB_SIDES; side++) {
         capacity = pair->capacity;
-        pair->value[side] = sb_grow(pair->value[side], pair->count, &capacity,
-                                    sizeof *pair->value[side]);
+        pair->value[side] =
+            sb_grow(pair->value[side], pair->count, &capacity, sizeof *pair->value[side]);
         pair->value[side][pair->count] = (double)value[side];
     }
     pair->capacity = capacity;
@@ -233,10 +233,12 @@ static int find_active(const struct sb_gate_session *session, int *active)
     return count;
 }
 
-static void show(const struct sb_gate_session *session, int round, int active, double left)
+static void show(const struct sb_gate_session *session, int round, int active,
+                 double left)
 {
     char line[120];
-    snprintf(line, sizeof line, "pair %d of each, %d of %d variants are open, at most %.0f s left",
+    snprintf(line, sizeof line,
+             "pair %d of each, %d of %d variants are open, at most %.0f s left",
              round + 1, active, session->pair_count, left);
     sb_progress(line);
 }
@@ -247,8 +249,8 @@ static bool loop(struct sb_gate_rounds *rounds, int *active, int *order,
     struct sb_gate_session *session = rounds->session;
     const int64_t begin = sb_clock_ns();
     // A round may be lost to a worker, and is taken again; not for ever.
-    const int most = 2 * (rounds->fixed ? rounds->rule->confirm_pairs
-                                        : rounds->rule->looks.rounds);
+    const int most =
+        2 * (rounds->fixed ? rounds->rule->confirm_pairs : rounds->rule->looks.rounds);
     for (int round = 0;; round++) {
         int rows = 0;
         const int count = find_active(session, active);

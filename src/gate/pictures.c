@@ -41,8 +41,8 @@ static bool compare(struct sb_gate_session *session, struct sb_gate_pair *pair,
     bool good = true;
     for (int side = 0; good && side < SB_SIDES; side++)
         good = draw(&pair->task[side], &session->driver[side], &image[side], err);
-    const bool same_size = good && image[0].width == image[1].width &&
-                           image[0].height == image[1].height;
+    const bool same_size =
+        good && image[0].width == image[1].width && image[0].height == image[1].height;
     if (same_size)
         sb_image_compare(&image[SB_BASE], &image[SB_HEAD], &difference);
     *equal = same_size && difference.pixels == 0;
@@ -136,8 +136,7 @@ static void judge(struct sb_gate_session *session, int place, struct sb_truths *
 
 void sb_gate_pictures(struct sb_gate_session *session)
 {
-    struct sb_truths *truths =
-        sb_truths_new(&session->params->side[SB_HEAD].suite->axes);
+    struct sb_truths *truths = sb_truths_new(&session->params->side[SB_HEAD].suite->axes);
     for (int i = 0; i < session->pair_count && !sb_interrupted(); i++) {
         struct sb_gate_pair *pair = &session->pair[i];
         if (pair->task[SB_BASE].loaded && pair->task[SB_HEAD].loaded && pair->timed)

@@ -62,5 +62,6 @@ struct sb_gate_state {
     struct sb_arena arena; // texts of rows
 };
 // gate.json; before the first pair with complete = false.
-bool sb_gate_record(const struct sb_gate_state *state, const struct sb_gate_result *result,
-                    bool complete, struct sb_error *err);
+bool sb_gate_record(const struct sb_gate_state *state,
+                    const struct sb_gate_result *result, bool complete,
+                    struct sb_error *err);

@@ -126,9 +126,10 @@ static void add_name(struct names *names, const struct token *token)
 static bool is_keyword(const struct token *token)
 {
     static const char *const words[] = {
-        "return", "else", "do",   "in",    "out",   "inout", "if",   "for",  "while",
-        "case",   "main", "void", "float", "int",   "uint",  "bool", "vec2", "vec3",
-        "vec4",   "mat2", "mat3", "mat4",  "struct", "precision", "layout", "defined",
+        "return", "else",   "do",        "in",     "out",     "inout", "if",
+        "for",    "while",  "case",      "main",   "void",    "float", "int",
+        "uint",   "bool",   "vec2",      "vec3",   "vec4",    "mat2",  "mat3",
+        "mat4",   "struct", "precision", "layout", "defined",
     };
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (is(token, words[i]))

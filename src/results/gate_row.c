@@ -1,7 +1,8 @@
 #include "results/gate_row.h"
 
 const struct sb_column sb_pair_columns[] = {
-#define PAIR(type, name, help) {#name, help, SB_##type, offsetof(struct sb_pair_row, name)},
+#define PAIR(type, name, help)                                                           \
+    {#name, help, SB_##type, offsetof(struct sb_pair_row, name)},
 #define GATE(type, name, help)
 #include "results/gate_columns.def"
 #undef PAIR
@@ -10,7 +11,8 @@ const struct sb_column sb_pair_columns[] = {
 
 const struct sb_column sb_gate_columns[] = {
 #define PAIR(type, name, help)
-#define GATE(type, name, help) {#name, help, SB_##type, offsetof(struct sb_gate_row, name)},
+#define GATE(type, name, help)                                                           \
+    {#name, help, SB_##type, offsetof(struct sb_gate_row, name)},
 #include "results/gate_columns.def"
 #undef PAIR
 #undef GATE

@@ -1,0 +1,288 @@
+// shadebench gate: from options to two sides.
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/clock.h"
+#include "base/file.h"
+#include "base/log.h"
+#include "cli/gate.h"
+#include "cli/shader_tree.h"
+#include "cli/write.h"
+#include "measure/interrupt.h"
+
+struct sides {
+    struct sb_options options[SB_SIDES];
+    struct sb_suite suite[SB_SIDES];
+    const char *said[SB_SIDES]; // what each is, in words
+    const char *data, *dir;
+    bool pinned;
+    struct sb_gate_params params;
+};
+
+// --- what the sides are --------------------------------------------------------------------------
+
+static bool check_words(const struct sb_options *options, struct sb_error *err)
+{
+    const bool two = options->base || options->base_set.count ||
+                     options->head_set.count || options->base_env.count ||
+                     options->head_env.count;
+    if (options->word_count > 1)
+        return sb_fail(err, SB_USAGE, "gate takes one suite; \"%s\" is one too many",
+                       options->word[1]);
+    if (options->selftest && two)
+        return sb_fail(
+            err, SB_USAGE,
+            "--selftest holds base against itself: leave out what makes two sides");
+    if (!two && !options->selftest)
+        return sb_fail(err, SB_USAGE,
+                       "gate holds head against base: --base SHADERS (a folder or a git "
+                       "revision), --base-set AXIS=VALUE, --base-env NAME=VALUE, or "
+                       "--selftest");
+    return true;
+}
+
+// --base-env NAME=VALUE, as the runner takes it.
+static void take_environment(const struct sb_assignments *given,
+                             struct sb_context_params *context, struct sb_arena *arena)
+{
+    const char **setting =
+        sb_arena_alloc(arena, ((size_t)given->count + 1) * sizeof *setting);
+    for (int i = 0; i < given->count; i++)
+        setting[i] =
+            sb_arena_printf(arena, "%s=%s", given->item[i].axis, given->item[i].values);
+    context->environment = setting;
+    context->environment_count = given->count;
+}
+
+static bool add_assignments(struct sb_assignments *list,
+                            const struct sb_assignments *more, struct sb_error *err)
+{
+    for (int i = 0; i < more->count; i++) {
+        if (list->count == SB_ASSIGNMENTS_MAX)
+            return sb_fail(err, SB_USAGE, "more than %d values are set",
+                           SB_ASSIGNMENTS_MAX);
+        list->item[list->count++] = more->item[i];
+    }
+    return true;
+}
+
+static bool load_suites(struct sides *sides, const struct sb_options *options,
+                        struct sb_arena *arena, struct sb_error *err)
+{
+    const bool planned = options->preset || options->sweep.count ||
+                         options->cross.count || options->set.count;
+    const char *word = options->word_count ? options->word[0] : planned ? NULL : "ci";
+    const char *path = word ? sb_cli_suite_path(word, sides->data, arena, err) : NULL;
+    if (word && !path)
+        return false;
+    const struct sb_assignments *more[SB_SIDES] = {&options->base_set,
+                                                   &options->head_set};
+    for (int side = 0; side < SB_SIDES; side++) {
+        sides->options[side] = *options;
+        if (!add_assignments(&sides->options[side].set, more[side], err) ||
+            !sb_cli_load_suite(&sides->options[side], path, sides->data,
+                               &sides->suite[side], err))
+            return false;
+    }
+    const int base = sides->suite[SB_BASE].entry_count,
+              head = sides->suite[SB_HEAD].entry_count;
+    return base == head ||
+           sb_fail(err, SB_BAD_INPUT,
+                   "base has %d variants and head %d, so they make no pairs: what "
+                   "--base-set and --head-set set must not be swept",
+                   base, head);
+}
+
+static bool find_folders(struct sides *sides, const struct sb_options *options,
+                         struct sb_arena *arena, struct sb_error *err)
+{
+    const char *own =
+        options->shaders ? options->shaders : sb_path_join(arena, sides->data, "shaders");
+    const char *given[SB_SIDES] = {options->base, options->head};
+    for (int side = 0; side < SB_SIDES; side++) {
+        const char *name = side == SB_BASE ? "base-shaders" : "head-shaders";
+        const char *folder =
+            given[side] ? sb_shader_tree(given[side], own, sides->dir, name, arena, err)
+                        : own;
+        if (!folder)
+            return false;
+        sides->params.side[side].shaders = folder;
+        sides->said[side] = given[side] ? given[side] : folder;
+    }
+    return true;
+}
+
+static const char *describe(const struct sides *sides, const struct sb_options *options,
+                            int side, struct sb_arena *arena)
+{
+    const struct sb_assignments *lists[] = {
+        side == SB_BASE ? &options->base_set : &options->head_set,
+        side == SB_BASE ? &options->base_env : &options->head_env};
+    struct sb_text text = {0};
+    if (options->base || options->head)
+        sb_text_add(&text, sides->said[side]);
+    for (size_t l = 0; l < sizeof lists / sizeof *lists; l++)
+        for (int i = 0; i < lists[l]->count; i++)
+            sb_text_printf(&text, "%s%s=%s", text.length ? " " : "",
+                           lists[l]->item[i].axis, lists[l]->item[i].values);
+    if (!text.length)
+        sb_text_add(&text, options->selftest && side == SB_HEAD
+                               ? "the same with other names"
+                               : "as it is");
+    const char *said = sb_arena_strdup(arena, text.data);
+    sb_text_free(&text);
+    return said;
+}
+
+// Two raster threads may share a core for a while or not: with one the level of a software
+// driver stands still (docs/method.md). Whoever has set a number keeps it.
+static bool pin_threads(const struct sb_suite *suite)
+{
+    const int axis = sb_axes_find(&suite->axes, "threads");
+    if (getenv("LP_NUM_THREADS") ||
+        (axis >= 0 && suite->entry[0].variant.value[axis] >= 0))
+        return false;
+    return setenv("LP_NUM_THREADS", "1", 1) == 0;
+}
+
+static bool find_drivers(struct sides *sides, const struct sb_options *options,
+                         struct sb_arena *arena, struct sb_error *err)
+{
+    const struct sb_assignments *environment[SB_SIDES] = {&options->base_env,
+                                                          &options->head_env};
+    for (int side = 0; side < SB_SIDES; side++) {
+        struct sb_driver_params *driver = &sides->params.side[side].driver;
+        if (!sb_cli_driver_params(&sides->options[side], &sides->suite[side], driver,
+                                  err))
+            return false;
+        take_environment(environment[side], &driver->context, arena);
+        sides->params.apart |= environment[side]->count > 0;
+    }
+    if (sides->params.apart && options->in_process)
+        return sb_fail(err, SB_USAGE,
+                       "--in-process has one environment: leave out --base-env and "
+                       "--head-env");
+    const struct sb_context_params *base = &sides->params.side[SB_BASE].driver.context;
+    const struct sb_context_params *head = &sides->params.side[SB_HEAD].driver.context;
+    if (strcmp(base->context, head->context) != 0 || base->gles != head->gles)
+        return sb_fail(err, SB_BAD_INPUT,
+                       "base and head have different platform axes; of those, "
+                       "--base-env and --head-env can differ");
+    sides->pinned = pin_threads(&sides->suite[SB_BASE]);
+    return true;
+}
+
+static bool fill_params(struct sides *sides, const struct sb_options *options,
+                        const json_t *arguments, struct sb_error *err)
+{
+    struct sb_gate_params *params = &sides->params;
+    params->rule = sb_gate_rule_default(1);
+    if ((options->tolerance && !sb_cli_read_share("--tolerance", options->tolerance,
+                                                  &params->rule.tolerance, err)) ||
+        !sb_metric_find(options->metric, &params->metric, err))
+        return false;
+    for (int side = 0; side < SB_SIDES; side++)
+        params->side[side].suite = &sides->suite[side];
+    params->side[SB_HEAD].renamed = options->selftest || options->keep_equal;
+    params->keep_equal = options->selftest || options->keep_equal;
+    params->selftest = options->selftest;
+    params->settings = &sides->suite[SB_HEAD].measure;
+    params->data_dir = sides->data;
+    params->dir = sides->dir;
+    params->arguments = arguments;
+    return true;
+}
+
+// --- afterwards ----------------------------------------------------------------------------------
+
+static int show(const struct sb_gate_shown *shown)
+{
+    const struct sb_options *options = shown->options;
+    struct sb_arena arena = {0};
+    struct sb_export export;
+    struct sb_error err = {0};
+    if (options->json)
+        sb_cli_print_json(sb_gate_json(shown));
+    else if (!sb_outputs_take_stdout(&options->write))
+        sb_gate_print(shown);
+    sb_gate_export(shown, &arena, &export);
+    int code = sb_outputs_write(&options->write, &export);
+    if (!sb_export_step_summary(&export, &err))
+        code = sb_exit_code_worse(code, sb_cli_fail(&err));
+    sb_arena_free(&arena);
+    return code;
+}
+
+static int bisect_code(int code)
+{
+    const bool skip = code == sb_status_rows[SB_NO_GL].exit_code ||
+                      code == sb_status_rows[SB_SAMPLES_INVALID].exit_code ||
+                      code == sb_status_rows[SB_INCONCLUSIVE].exit_code;
+    return skip ? 125 : code;
+}
+
+static int judge(struct sides *sides, const struct sb_options *options)
+{
+    struct sb_error err = {0};
+    struct sb_gate_result result = {0};
+    struct sb_gate_shown shown = {
+        .options = options,
+        .result = &result,
+        .axes = &sides->suite[SB_HEAD].axes,
+        .suite = sides->suite[SB_HEAD].name,
+        .dir = sides->dir,
+        .base = sides->said[SB_BASE],
+        .head = sides->said[SB_HEAD],
+        .pinned = sides->pinned,
+        .cases_lost = -1,
+    };
+    bool good = sb_gate_run(&sides->params, &result, &err);
+    int code = result.exit_code;
+    if (good && options->hard_cases) {
+        shown.cases_lost = sb_gate_cases(options, &sides->params, &err);
+        good = shown.cases_lost >= 0;
+        if (shown.cases_lost > 0)
+            code = sb_exit_code_worse(code, sb_status_rows[SB_WORSE_PICTURE].exit_code);
+    }
+    if (options->fail_on_inconclusive && result.count[SB_GATE_INCONCLUSIVE] > 0)
+        code = sb_exit_code_worse(code, sb_status_rows[SB_INCONCLUSIVE].exit_code);
+    if (result.row)
+        code = sb_exit_code_worse(code, show(&shown));
+    if (!good)
+        code = sb_exit_code_worse(code, sb_cli_fail(&err));
+    sb_gate_result_free(&result);
+    return options->bisect ? bisect_code(code) : code;
+}
+
+int sb_cmd_gate(const struct sb_options *options, int argc, char **argv)
+{
+    struct sb_error err = {0};
+    struct sb_arena arena = {0};
+    struct sides *sides = sb_alloc(sizeof *sides);
+    char now[32];
+    int code;
+    sb_timestamp_name(now);
+    json_t *arguments = sb_cli_arguments_json(argc, argv, &err);
+    sides->data = sb_data_dir(&arena, options->data, &err);
+    sides->dir = options->output
+                     ? options->output
+                     : sb_arena_printf(&arena, "shadebench-results/gate-%s", now);
+    sb_interrupt_install();
+    if (arguments && sides->data && check_words(options, &err) &&
+        sb_outputs_check(options, &err) && load_suites(sides, options, &arena, &err) &&
+        find_folders(sides, options, &arena, &err) &&
+        find_drivers(sides, options, &arena, &err) &&
+        fill_params(sides, options, arguments, &err)) {
+        for (int side = 0; side < SB_SIDES; side++)
+            sides->said[side] = describe(sides, options, side, &arena);
+        code = judge(sides, options);
+    } else {
+        code = sb_cli_fail(&err);
+    }
+    for (int side = 0; side < SB_SIDES; side++)
+        sb_suite_free(&sides->suite[side]);
+    free(sides);
+    json_decref(arguments);
+    sb_arena_free(&arena);
+    return code;
+}

@@ -1,0 +1,30 @@
+// What the files of `gate` share.
+#pragma once
+
+#include <jansson.h>
+
+#include "cli/common.h"
+#include "export/export.h"
+#include "gate/gate.h"
+
+struct sb_gate_shown {
+    const struct sb_options *options;
+    const struct sb_gate_result *result;
+    const struct sb_axes *axes;
+    const char *suite, *dir;
+    const char *base, *head; // what the sides are, in words
+    bool pinned;             // the driver's threads were, by us
+    int cases_lost; // hard cases that base passes and head does not; -1: not asked
+};
+
+void sb_gate_print(const struct sb_gate_shown *shown); // tables, to stdout
+json_t *sb_gate_json(const struct sb_gate_shown *shown);
+
+// For other programs; texts and numbers live in `arena` and in the result.
+void sb_gate_export(const struct sb_gate_shown *shown, struct sb_arena *arena,
+                    struct sb_export *export);
+
+// Verifies the hard cases with both shader folders, and tells of each cell that base passes and
+// head does not; their number, or -1 where one of the runs failed (*err).
+int sb_gate_cases(const struct sb_options *options, const struct sb_gate_params *params,
+                  struct sb_error *err);

@@ -1,0 +1,200 @@
+// What a gate prints: regressions and wrong pictures first, what passed last.
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "cli/gate.h"
+#include "cli/report.h"
+#include "cli/table.h"
+
+// What a reader must see first.
+static int rank(const struct sb_gate_row *row)
+{
+    static const enum sb_gate_verdict order[] = {
+        SB_GATE_REGRESSION,    SB_GATE_INVALID,  SB_GATE_INCONCLUSIVE,
+        SB_GATE_NOT_CONFIRMED, SB_GATE_IMPROVED, SB_GATE_PASS};
+    if (!row->verdict)
+        return 0; // of a self-test
+    const enum sb_gate_verdict verdict = sb_gate_verdict_find(row->verdict);
+    for (int i = 0; i < (int)(sizeof order / sizeof *order); i++)
+        if (order[i] == verdict)
+            return i;
+    return SB_GATE_VERDICT_COUNT; // skipped: counted, not shown
+}
+
+static void print_head(const struct sb_gate_shown *shown)
+{
+    const struct sb_gate_result *result = shown->result;
+    const struct sb_gate_rule *rule = &result->rule;
+    const bool apart =
+        strcmp(result->caps[SB_BASE].renderer, result->caps[SB_HEAD].renderer) ||
+        strcmp(result->caps[SB_BASE].version, result->caps[SB_HEAD].version);
+    printf("gate %s: base %s, head %s\n", shown->suite, shown->base, shown->head);
+    for (int side = 0; side < (apart ? SB_SIDES : 1); side++)
+        printf("driver%s%s: %s, %s%s\n", apart ? " of " : "",
+               apart ? sb_side_names[side] : "", result->caps[side].renderer,
+               result->caps[side].version,
+               shown->pinned ? ", LP_NUM_THREADS=1 (pinned; set it to keep yours)" : "");
+    printf("metric: %s (%s)%s\n", sb_metric_rows[result->metric].name, result->timer,
+           result->caps[SB_BASE].software
+               ? "; ratios are those of a CPU driver, not of a GPU"
+               : "");
+    printf("rule: tolerance %.3g %%, alpha %.3g %% over %d timed variants, looks at %d "
+           "to %d "
+           "pairs, candidates confirmed by %d pairs in a fresh process\n\n",
+           100 * rule->tolerance, 100 * rule->alpha, rule->variants, rule->looks.first,
+           rule->looks.rounds, rule->confirm_pairs);
+}
+
+static void print_row(struct sb_table *table, const struct sb_gate_row *row)
+{
+    sb_table_cell(table, row->scene);
+    sb_table_cell(table, row->variant);
+    sb_table_real(table, "%.4g", row->base_ms);
+    sb_table_real(table, "%.4g", row->head_ms);
+    sb_table_real(table, "%.4f", row->ratio);
+    if (isfinite(row->ratio_lo) && isfinite(row->ratio_hi))
+        sb_table_cellf(table, "%.4f … %.4f", row->ratio_lo, row->ratio_hi);
+    else
+        sb_table_cell(table, NULL);
+    if (row->pairs != SB_NO_COUNT)
+        sb_table_cellf(table, "%lld", (long long)row->pairs);
+    else
+        sb_table_cell(table, NULL);
+    sb_table_cell(table, row->picture);
+    sb_table_cell(table, row->verdict);
+    sb_table_cell(table, strcmp(row->status, "ok") == 0 ? NULL : row->status);
+}
+
+static void print_table(const struct sb_gate_result *result)
+{
+    struct sb_table *table = sb_table_new();
+    int shown = 0;
+    static const char *const right[] = {"base ms", "head ms", "ratio", "95 %", "pairs"};
+    sb_table_column(table, "scene", false);
+    sb_table_column(table, "variant", false);
+    for (int i = 0; i < 5; i++)
+        sb_table_column(table, right[i], true);
+    sb_table_column(table, "picture", false);
+    sb_table_column(table, "verdict", false);
+    sb_table_column(table, "status", false);
+    for (int r = 0; r < SB_GATE_VERDICT_COUNT; r++)
+        for (int i = 0; i < result->row_count; i++)
+            if (rank(&result->row[i]) == r) {
+                print_row(table, &result->row[i]);
+                shown++;
+            }
+    if (shown)
+        sb_table_print(table);
+    sb_table_free(&table);
+}
+
+// One line for each row that needs words.
+static void print_notes(const struct sb_gate_result *result)
+{
+    for (int i = 0; i < result->row_count; i++) {
+        const struct sb_gate_row *row = &result->row[i];
+        const char *verdict = row->verdict ? row->verdict : "self-test";
+        if (isfinite(row->confirm_ratio))
+            printf("%s: %s %s: ratio %.4f here, %.4f in a fresh process (p %.2g)\n",
+                   verdict, row->scene, row->variant, row->ratio, row->confirm_ratio,
+                   row->confirm_p);
+        if (row->note && sb_gate_verdict_find(verdict) != SB_GATE_SKIPPED)
+            printf("%s: %s %s: %s\n",
+                   strcmp(row->status, "ok") == 0 ? verdict : row->status, row->scene,
+                   row->variant, row->note);
+    }
+}
+
+static void print_bias(const struct sb_gate_shown *shown)
+{
+    const struct sb_gate_bias *bias = &shown->result->bias;
+    const double tolerance = shown->result->rule.tolerance;
+    if (bias->variant < 0) {
+        printf("bias: no variant was timed\n");
+        return;
+    }
+    printf("bias: of two equal programs the one read up to %.2f %% more or less than the "
+           "other "
+           "(%s; %.4f … %.4f)\n",
+           100 * bias->bias, shown->result->row[bias->variant].variant, bias->ratio.lo,
+           bias->ratio.hi);
+    if (bias->tolerable)
+        printf("a tolerance of %.3g %% is at least twice that: it can be used here\n",
+               100 * tolerance);
+    else
+        printf("a tolerance of %.3g %% is under twice that: refused; --tolerance %.2g%% "
+               "or more, "
+               "or a quieter machine\n",
+               100 * tolerance, ceil(20 * 100 * bias->bias) / 10);
+}
+
+static void print_foot(const struct sb_gate_shown *shown)
+{
+    const struct sb_gate_result *result = shown->result;
+    const char *comma = "";
+    printf("\n");
+    for (int v = 0; v < SB_GATE_VERDICT_COUNT; v++)
+        if (result->count[v] > 0 && !(shown->options->selftest && v != SB_GATE_INVALID)) {
+            printf("%s%d %s", comma, result->count[v], sb_gate_verdict_rows[v].word);
+            comma = ", ";
+        }
+    if (*comma)
+        printf("\n");
+    if (result->count[SB_GATE_SKIPPED] > 0)
+        printf(
+            "skipped: the final sources of both sides are equal, so there is nothing to "
+            "time\n");
+    if (shown->cases_lost >= 0)
+        printf("hard cases: %d that base passes and head does not\n", shown->cases_lost);
+    if (isfinite(result->median_mde))
+        printf(
+            "least slowdown that is found in nine of ten gates: %.2g %% (median over the "
+            "variants)\n",
+            100 * result->median_mde);
+    printf("%.1f s; results: %s/gate.csv\n", result->seconds, shown->dir);
+    if (result->interrupted)
+        printf("interrupted: what is not judged is inconclusive\n");
+}
+
+void sb_gate_print(const struct sb_gate_shown *shown)
+{
+    print_head(shown);
+    print_table(shown->result);
+    print_notes(shown->result);
+    if (shown->options->selftest)
+        print_bias(shown);
+    print_foot(shown);
+}
+
+json_t *sb_gate_json(const struct sb_gate_shown *shown)
+{
+    const struct sb_gate_result *result = shown->result;
+    json_t *object = json_object(), *rows = json_array(), *counts = json_object();
+    for (int i = 0; i < result->row_count; i++) {
+        json_t *row = json_object();
+        for (int c = 0; c < sb_gate_column_count; c++)
+            json_object_set_new(
+                row, sb_gate_columns[c].name,
+                sb_report_cell_json(&result->row[i], &sb_gate_columns[c]));
+        json_array_append_new(rows, row);
+    }
+    for (int v = 0; v < SB_GATE_VERDICT_COUNT; v++)
+        json_object_set_new(counts, sb_gate_verdict_rows[v].word,
+                            json_integer(result->count[v]));
+    json_object_set_new(object, "dir", json_string(shown->dir));
+    json_object_set_new(object, "metric",
+                        json_string(sb_metric_rows[result->metric].name));
+    json_object_set_new(object, "tolerance", json_real(result->rule.tolerance));
+    json_object_set_new(object, "seconds", json_real(result->seconds));
+    json_object_set_new(object, "interrupted", json_boolean(result->interrupted));
+    if (isfinite(result->median_mde))
+        json_object_set_new(object, "mde", json_real(result->median_mde));
+    if (shown->options->selftest && isfinite(result->bias.bias))
+        json_object_set_new(object, "bias", json_real(result->bias.bias));
+    if (shown->cases_lost >= 0)
+        json_object_set_new(object, "cases_lost", json_integer(shown->cases_lost));
+    json_object_set_new(object, "verdicts", counts);
+    json_object_set_new(object, "rows", rows);
+    return object;
+}
