@@ -7,6 +7,7 @@
 #include "base/clock.h"
 #include "base/file.h"
 #include "base/log.h"
+#include "job/callgrind.h"
 #include "wire/child.h"
 #include "wire/messages.h"
 
@@ -133,15 +134,35 @@ static const char *default_command(struct sb_arena *arena, struct sb_error *err)
                 beside);
         return NULL;
     }
-    // Quoted for the shell: ' becomes '\''.
-    struct sb_text quoted = {0};
-    sb_text_add(&quoted, "exec '");
-    for (const char *p = beside; *p; p++)
-        sb_text_add_n(&quoted, *p == '\'' ? "'\\''" : p, *p == '\'' ? 4 : 1);
-    sb_text_add(&quoted, "'");
-    const char *command = sb_arena_strdup(arena, sb_text_get(&quoted));
-    sb_text_free(&quoted);
-    return command;
+    return sb_shell_quote(arena, beside);
+}
+
+// Sets params.worker and, to count, params.count_folder.
+static bool find_command(struct worker *worker, struct sb_error *err)
+{
+    const char *given = worker->params.worker;
+    const char *command = given ? sb_arena_strdup(&worker->arena, given)
+                                : default_command(&worker->arena, err);
+    worker->params.worker = command;
+    worker->params.count_folder = NULL;
+    if (!command)
+        return false;
+    if (worker->params.callgrind) {
+        if (!sb_in_path("valgrind"))
+            return sb_fail(err, SB_BAD_INPUT,
+                           "valgrind is missing: install it to count instructions where "
+                           "the kernel offers no counters");
+        const char *folder = sb_temporary_dir(&worker->arena, "shadebench-count", err);
+        if (!folder)
+            return false;
+        worker->params.count_folder = folder;
+        worker->params.worker =
+            sb_arena_printf(&worker->arena, "exec %s %s",
+                            sb_callgrind_command(&worker->arena, folder), command);
+    } else if (!given) {
+        worker->params.worker = sb_arena_printf(&worker->arena, "exec %s", command);
+    }
+    return true;
 }
 
 static bool open_context(struct worker *worker, struct sb_caps *caps,
@@ -400,6 +421,7 @@ static void lose_round(const struct sb_shot *shots, int count, struct sb_sample 
             .job = shots[i].job,
             .frames = shots[i].frames,
             .gpu_ns = SB_NO_TIME,
+            .instructions = SB_NO_TIME,
             .flags = SB_SAMPLE_LOST,
         };
 }
@@ -507,6 +529,8 @@ static void worker_close(void *self)
     if (strstr(sb_text_get(&how), "killed"))
         sb_warn("the worker %s when it closed; nothing is lost", how.data);
     sb_text_free(&how);
+    if (worker->params.count_folder)
+        sb_dir_remove(worker->params.count_folder);
     sb_arena_free(&worker->arena);
     free(worker);
 }
@@ -522,10 +546,7 @@ static void *worker_open(const struct sb_context_params *params, struct sb_caps 
     for (int i = 0; i < params->environment_count; i++)
         setting[i] = sb_arena_strdup(&worker->arena, params->environment[i]);
     worker->params.environment = setting;
-    worker->params.worker = params->worker
-                                ? sb_arena_strdup(&worker->arena, params->worker)
-                                : default_command(&worker->arena, err);
-    if (!worker->params.worker || !start(worker, &worker->caps, err)) {
+    if (!find_command(worker, err) || !start(worker, &worker->caps, err)) {
         worker_close(worker);
         return NULL;
     }
