@@ -29,7 +29,8 @@ struct sb_outputs {
 struct sb_options {
     const char *data, *shaders, *preset, *scene, *output, *resume, *timer, *device, *dump,
         *pixel, *form, *precision, *search, *seed, *programs, *demands, *costs, *ms,
-        *program_cache, *worker, *worker_limit, *tolerance, *base, *head, *metric;
+        *program_cache, *worker, *worker_limit, *tolerance, *base, *head, *metric,
+        *platform;
     bool json, quiet, verbose, help, images, validate, classes, pareto, terms, all,
         breaking, time, payback, ablate, policies, ablation, effects, exhaustive,
         in_process, force, check, fail_on_inconclusive, selftest, keep_equal, bisect,
