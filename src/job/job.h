@@ -142,9 +142,9 @@ struct sb_sample {
     int64_t wall_ns;   // from before the first command until drained
     int64_t cpu_ns;    // process CPU time, all threads, over the same span
     int64_t submit_ns; // until the last command was issued
-    int64_t
-        instructions; // of all threads in user space, over the span of wall_ns; SB_NO_TIME:
-                      // nothing counts
+    // Of all threads in user space, over the span of wall_ns, after a frame of the same job that
+    // is not counted; SB_NO_TIME: none are.
+    int64_t instructions;
     unsigned flags;
 };
 #define SB_NO_TIME INT64_MIN // 0 ns is a value, never "none"

@@ -85,6 +85,17 @@ void sb_local_batch(struct sb_local *local, const struct sb_local_job *job,
         *calls = frame_calls;
 }
 
+// A counted batch comes after a frame of its own job that is not: to change from one program to
+// another is no part of a frame.
+static void draw_before_counting(struct sb_local *local, const struct sb_local_job *job,
+                                 const struct sb_ring *ring, const struct sb_shot *shot)
+{
+    struct sb_sample ignored;
+    struct sb_shot one = *shot;
+    one.frames = 1;
+    sb_local_batch(local, job, ring, &one, NULL, &ignored, NULL);
+}
+
 static bool makes_sense(const struct sb_local_job *job, const struct sb_shot *shot,
                         struct sb_error *err)
 {
@@ -131,6 +142,8 @@ bool sb_local_round(void *self, const struct sb_shot *shots, int count,
     for (int i = 0; i < count; i++) {
         const struct sb_local_job *job = sb_local_job_find(local, shots[i].job, err);
         const struct sb_ring *ring = ring_of(local, &shots[i], err);
+        if (counter)
+            draw_before_counting(local, job, ring, &shots[i]);
         sb_local_batch(local, job, ring, &shots[i], counter, &samples[i], NULL);
         if (counter && !counter->fns->read(counter, &samples[i].instructions, err))
             return false;

@@ -3,22 +3,55 @@
 #include <math.h>
 #include <string.h>
 
-struct side {
+struct side { // the closest counts of one
     double least, median, most;
+    double spread; // (most - least) / median
+    int apart;
+    double farthest;
 };
 
-static struct side read_side(const double *value, int n, double *scratch)
+static void find_apart(struct side *side, const double *sorted, int n, double steady)
 {
+    for (int i = 0; i < n; i++) {
+        const double off = sorted[i] / side->median - 1;
+        if (sorted[i] >= side->least && sorted[i] <= side->most)
+            continue;
+        if (fabs(off) > steady)
+            side->apart++;
+        if (fabs(off) > steady && fabs(off) > fabs(side->farthest))
+            side->farthest = off;
+    }
+}
+
+static struct side read_side(const double *value, int n, double steady, double *scratch)
+{
+    int wanted = n / 2 + 1;
+    if (wanted < SB_COUNTS_REPEATS)
+        wanted = n < SB_COUNTS_REPEATS ? n : SB_COUNTS_REPEATS;
     memcpy(scratch, value, (size_t)n * sizeof *scratch);
     sb_sort_doubles(scratch, n);
-    return (struct side){scratch[0], sb_median(scratch, n), scratch[n - 1]};
+    int first = 0;
+    for (int i = 1; i + wanted <= n; i++)
+        if (scratch[i + wanted - 1] - scratch[i] <
+            scratch[first + wanted - 1] - scratch[first])
+            first = i;
+    struct side side = {
+        .least = scratch[first],
+        .median = sb_median(scratch + first, wanted),
+        .most = scratch[first + wanted - 1],
+    };
+    side.spread = (side.most - side.least) / side.median;
+    find_apart(&side, scratch, n, steady);
+    return side;
 }
 
 static enum sb_gate_verdict judge(const struct sb_counts_reading *reading,
-                                  double tolerance, int n)
+                                  double tolerance, bool over)
 {
-    if (n < 2 || reading->repeatability > SB_COUNTS_STEADY * tolerance)
-        return SB_GATE_INCONCLUSIVE;
+    const bool steady = reading->n >= SB_COUNTS_REPEATS &&
+                        reading->repeatability <= SB_COUNTS_STEADY * tolerance;
+    if (!steady)
+        return over || reading->n >= SB_COUNTS_MOST ? SB_GATE_INCONCLUSIVE : SB_GATE_OPEN;
     if (reading->ratio.lo > 1 + tolerance)
         return SB_GATE_CANDIDATE;
     if (reading->ratio.hi > 1 + tolerance)
@@ -27,10 +60,14 @@ static enum sb_gate_verdict judge(const struct sb_counts_reading *reading,
 }
 
 struct sb_counts_reading sb_counts_read(double tolerance, const double *base,
-                                        const double *head, int n, double *scratch)
+                                        const double *head, int n, bool over,
+                                        double *scratch)
 {
     struct sb_counts_reading reading = {
-        .verdict = SB_GATE_INCONCLUSIVE,
+        .verdict = over ? SB_GATE_INCONCLUSIVE : SB_GATE_OPEN,
+        .n = n,
+        .base = NAN,
+        .head = NAN,
         .ratio = {NAN, NAN, NAN, n},
         .repeatability = NAN,
     };
@@ -41,13 +78,18 @@ struct sb_counts_reading sb_counts_read(double tolerance, const double *base,
         }
     if (n < 1)
         return reading;
-    const struct side b = read_side(base, n, scratch), h = read_side(head, n, scratch);
+    const double steady = SB_COUNTS_STEADY * tolerance;
+    const struct side b = read_side(base, n, steady, scratch),
+                      h = read_side(head, n, steady, scratch);
+    reading.base = b.median;
+    reading.head = h.median;
     reading.ratio.point = h.median / b.median;
     reading.ratio.lo = h.least / b.most;
     reading.ratio.hi = h.most / b.least;
-    reading.repeatability =
-        fmax((b.most - b.least) / b.median, (h.most - h.least) / h.median);
-    reading.verdict = judge(&reading, tolerance, n);
+    reading.repeatability = fmax(b.spread, h.spread);
+    reading.apart = b.apart + h.apart;
+    reading.farthest = fabs(b.farthest) > fabs(h.farthest) ? b.farthest : h.farthest;
+    reading.verdict = judge(&reading, tolerance, over);
     return reading;
 }
 
