@@ -228,8 +228,7 @@ static int judge(struct sides *sides, const struct sb_options *options)
     struct sb_gate_shown shown = {
         .options = options,
         .result = &result,
-        .axes = &sides->suite[SB_HEAD].axes,
-        .suite = sides->suite[SB_HEAD].name,
+        .suite = &sides->suite[SB_HEAD],
         .dir = sides->dir,
         .base = sides->said[SB_BASE],
         .head = sides->said[SB_HEAD],
