@@ -46,7 +46,7 @@ static void take_environment(const struct sb_assignments *given,
                              struct sb_context_params *context, struct sb_arena *arena)
 {
     const char **setting =
-        sb_arena_alloc(arena, ((size_t)given->count + 1) * sizeof *setting);
+        sb_arena_alloc(arena, ((size_t)given->count + 1) * sizeof(char *));
     for (int i = 0; i < given->count; i++)
         setting[i] =
             sb_arena_printf(arena, "%s=%s", given->item[i].axis, given->item[i].values);

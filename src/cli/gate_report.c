@@ -29,9 +29,9 @@ static void print_head(const struct sb_gate_shown *shown)
 {
     const struct sb_gate_result *result = shown->result;
     const struct sb_gate_rule *rule = &result->rule;
-    const bool apart =
-        strcmp(result->caps[SB_BASE].renderer, result->caps[SB_HEAD].renderer) ||
-        strcmp(result->caps[SB_BASE].version, result->caps[SB_HEAD].version);
+    const struct sb_caps *base = &result->caps[SB_BASE], *head = &result->caps[SB_HEAD];
+    const bool apart = strcmp(base->renderer, head->renderer) != 0 ||
+                       strcmp(base->version, head->version) != 0;
     printf("gate %s: base %s, head %s\n", shown->suite->name, shown->base, shown->head);
     for (int side = 0; side < (apart ? SB_SIDES : 1); side++)
         printf("driver%s%s: %s, %s%s\n", apart ? " of " : "",
