@@ -8,7 +8,6 @@
 #include "base/cpu.h"
 #include "base/log.h"
 #include "gate/state.h"
-#include "job/null.h"
 #include "measure/interrupt.h"
 #include "stats/counts.h"
 
@@ -60,7 +59,7 @@ static bool may_count(const struct sb_gate_session *session, struct sb_error *er
                            "--metric instructions counts what a CPU does, and %s is not "
                            "known to draw on one; valid: gpu, cpu, wall",
                            driver->caps.renderer);
-        if (!driver->fns->workers && driver->fns != &sb_runner_null)
+        if (!driver->fns->workers && strcmp(driver->caps.context, "null") != 0)
             return sb_fail(err, SB_BAD_INPUT,
                            "--metric instructions counts in a process of its own: leave "
                            "out --in-process");
