@@ -168,6 +168,11 @@ static void one_count_that_stands_apart_is_told_and_decides_nothing(void **state
     assert_int_equal(result.counting.apart, 1);
     check_close(result.counting.farthest, 0.33, 1e-6);
     assert_int_equal(result.counting.counts, 2 * (2 * SB_COUNTS_REPEATS + 1));
+    end();
+    // Nor does it where it is one of the frames that come before.
+    script.apart = 2;
+    check_verdicts(SB_GATE_PASS, 0);
+    assert_int_equal(result.counting.apart, 0);
     script.apart = 0;
     end();
 }
@@ -183,8 +188,14 @@ static void a_selftest_tells_the_bias_of_the_counts(void **state)
     end();
     script.ratio = 1.003; // over half the tolerance
     assert_true(run(true));
+    check_close(result.bias.ratio.lo, 1.003, 1e-6);
     assert_false(result.bias.tolerable);
     assert_int_equal(result.exit_code, sb_status_rows[SB_SAMPLES_INVALID].exit_code);
+    end();
+    script.ratio = 1.02; // no verdict, so nothing to confirm
+    assert_true(run(true));
+    assert_int_equal(script.opened, 2);
+    assert_null(result.row[0].verdict);
     end();
 }
 
