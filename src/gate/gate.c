@@ -62,13 +62,13 @@ static double median_ms(const struct sb_gate_pair *pair, int side)
     sb_sort_doubles(sorted, pair->count);
     const double median = sb_median(sorted, pair->count);
     free(sorted);
-    return median / pair->batch * 1e-6;
+    return median / pair->batch[side] * 1e-6;
 }
 
 static void fill_times(const struct sb_gate_pair *pair, struct sb_gate_row *row)
 {
     const struct sb_gate_reading *reading = &pair->reading;
-    row->batch = pair->batch;
+    row->batch = pair->batch[SB_HEAD];
     row->pairs = pair->count;
     row->ratio = reading->ratio.point;
     row->ratio_lo = reading->ratio.lo;

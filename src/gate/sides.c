@@ -43,8 +43,9 @@ void sb_gate_session_prepare(struct sb_gate_session *session, int place, int ent
             .data_dir = session->params->data_dir,
             .shaders = given->shaders,
             .renamed = given->renamed,
+            .frozen = given->frozen,
         };
-        pair->task[side].entry = &given->suite->entry[entry];
+        pair->task[side].entry = &given->suite->entry[given->frozen ? 0 : entry];
         sb_task_prepare(&pair->task[side], &params,
                         (uint32_t)(SB_SIDES * entry + side + 1));
     }

@@ -11,7 +11,7 @@ struct sb_gate_pair { // one plan entry, on both sides
     const char *picture; // word for the row; NULL: not looked at
     bool timed;          // both are sound and their sources differ
     bool active;         // more pairs are wanted
-    int batch;           // frames, on both sides
+    int batch[SB_SIDES]; // frames; the same on both sides, unless params->own_batches
     double *value[SB_SIDES];
     int count, capacity; // pairs
     struct sb_gate_reading reading;
@@ -43,10 +43,10 @@ struct sb_gate_rounds {
     const struct sb_gate_rule *rule;
     bool fixed;     // rule->confirm_pairs of each pair: a confirmation, or the self-test
     double seconds; // at most
-    struct sb_row_file *file;
-    struct sb_arena *arena; // for texts of rows
+    struct sb_row_file *file; // NULL: the pairs are not written
+    struct sb_arena *arena;   // for texts of rows
 };
-// One batch length for both sides of each pair that is timed, and a few unrecorded rounds. Does
+// The batch lengths of each pair that is timed, and a few unrecorded rounds. Does
 // the metric see all of the work? SB_NO_TIMER where it does not.
 bool sb_gate_make_ready(struct sb_gate_session *session, struct sb_error *err);
 // Until no pair is active, the time is up or a signal came. False: the pairs could not be written.
