@@ -20,8 +20,11 @@
 #include "stats/gate.h"
 
 enum { USUAL_PAIRS = 60 };
-// What a fixed number of pairs takes is no matter of the suite's budget, which is that of a run.
-static const char longest_seconds[] = "600";
+// A suite's settings are those of a run. Here the pairs are counted, so time is no limit; and the
+// points of a series are of different processes, so each had better be of several.
+static const struct {
+    const char *setting, *value;
+} usual_settings[] = {{"budget", "600"}, {"processes", "3"}};
 
 struct adding {
     const struct sb_options *options;
@@ -74,6 +77,14 @@ static bool is_planned(const struct sb_options *options)
     return planned;
 }
 
+static bool is_set(const struct sb_options *options, const char *setting)
+{
+    for (int i = 0; i < options->setting.count; i++)
+        if (strcmp(options->setting.item[i].axis, setting) == 0)
+            return true;
+    return false;
+}
+
 static bool load_suite(struct adding *adding, struct sb_error *err)
 {
     const struct sb_options *options = adding->options;
@@ -81,14 +92,16 @@ static bool load_suite(struct adding *adding, struct sb_error *err)
                        : is_planned(options)   ? NULL
                                                : "ci";
     const char *path = NULL;
-    bool budget = false;
     if (word && !(path = sb_cli_suite_path(word, adding->data, &adding->arena, err)))
         return false;
-    for (int i = 0; i < options->setting.count; i++)
-        budget |= strcmp(options->setting.item[i].axis, "budget") == 0;
-    return sb_cli_load_suite(options, path, adding->data, &adding->suite, err) &&
-           (budget ||
-            sb_measure_set(&adding->suite.measure, "budget", longest_seconds, err));
+    if (!sb_cli_load_suite(options, path, adding->data, &adding->suite, err))
+        return false;
+    for (size_t i = 0; i < sizeof usual_settings / sizeof *usual_settings; i++)
+        if (!is_set(options, usual_settings[i].setting) &&
+            !sb_measure_set(&adding->suite.measure, usual_settings[i].setting,
+                            usual_settings[i].value, err))
+            return false;
+    return true;
 }
 
 static bool find_commit(struct adding *adding, struct sb_error *err)
@@ -131,6 +144,8 @@ static bool prepare(struct adding *adding, struct sb_history_measure_params *par
         !sb_anchor_load(adding->data, &adding->suite, params->driver.context.gles,
                         &adding->anchor, err))
         return false;
+    if (options->in_process && adding->suite.measure.processes > 1)
+        return sb_fail(err, SB_USAGE, "--in-process is one process: add --processes 1");
     adding->pinned = sb_cli_pin_threads(&adding->suite);
     // Before anything is measured: is there a place for it?
     return sb_history_append(adding->file, NULL, 0, err);
@@ -142,7 +157,7 @@ static void print(const struct adding *adding)
 {
     const struct sb_history_measured *measured = &adding->measured;
     struct sb_table *table = sb_table_new();
-    static const char *const right[] = {"ratio", "95 %", "pairs"};
+    static const char *const right[] = {"ratio", "95 %", "processes", "pairs"};
     printf("history %s: commit %s of %s, held against the anchor %s\n",
            adding->suite.name, adding->commit, adding->time,
            measured->row->anchor ? measured->row->anchor : "?");
@@ -154,7 +169,7 @@ static void print(const struct adding *adding)
            sb_metric_rows[measured->metric].name);
     sb_table_column(table, "scene", false);
     sb_table_column(table, "variant", false);
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 4; i++)
         sb_table_column(table, right[i], true);
     sb_table_column(table, "status", false);
     for (int i = 0; i < measured->row_count; i++) {
@@ -166,6 +181,7 @@ static void print(const struct adding *adding)
             sb_table_cell(table, NULL);
         else
             sb_table_cellf(table, "%.4f … %.4f", row->ratio_lo, row->ratio_hi);
+        sb_table_cellf(table, "%lld", (long long)row->processes);
         sb_table_cellf(table, "%lld", (long long)row->pairs);
         sb_table_cell(table, row->status);
     }

@@ -78,6 +78,14 @@ static bool add_line(const struct wide *wide, const struct sb_history_point *com
     return true;
 }
 
+static bool in_earlier(const struct wide *wide, int column, const char *commit)
+{
+    for (int c = 0; c < column; c++)
+        if (find_point(wide->column[c], commit))
+            return true;
+    return false;
+}
+
 void sb_history_print_wide(const struct sb_history_analysis *analysis)
 {
     struct sb_text text = {0};
@@ -86,8 +94,10 @@ void sb_history_print_wide(const struct sb_history_analysis *analysis)
     int left_out = 0;
     choose(analysis, &wide);
     add_header(&wide, &text);
-    for (int i = 0; wide.count && i < wide.column[0]->point_count; i++)
-        left_out += !add_line(&wide, &wide.column[0]->point[i], &text);
+    for (int c = 0; c < wide.count; c++) // whole lines are all found in the first column
+        for (int i = 0; i < wide.column[c]->point_count; i++)
+            if (!in_earlier(&wide, c, wide.column[c]->point[i].commit))
+                left_out += !add_line(&wide, &wide.column[c]->point[i], &text);
     fputs(text.data, stdout);
     if (wide.count < analysis->count)
         sb_warn("%d series of another driver, metric or anchor than the last row's are "

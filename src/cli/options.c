@@ -98,7 +98,7 @@ static const struct option options_table[] = {
     {"file",     0,   "FILE",       HISTORY,          TEXT,       AT(file),     "the history [shadebench-history.csv]"},
     {"commit",   0,   "ID",         HISTORY,          TEXT,       AT(commit),   "add: what is measured; default: HEAD of the git repository that the shaders lie in"},
     {"date",     0,   "DATE",       HISTORY,          TEXT,       AT(date),     "add: of the commit, as git writes it, such as 2026-11-22T03:02:03+02:00; default: now"},
-    {"pairs",    0,   "N",          HISTORY,          TEXT,       AT(pairs),    "add: pairs of batches of each variant and the anchor [60]"},
+    {"pairs",    0,   "N",          HISTORY,          TEXT,       AT(pairs),    "add: pairs of batches of each variant and the anchor in each process [60]"},
     {"variant",  0,   "GLOB",       HISTORY,          TEXT,       AT(variant),  "show: variants, or SCENE/VARIANT, that match; default: all"},
     {"tolerance",0,   "SHARE",      HISTORY,          TEXT,       AT(tolerance),"show: what is no change of level, as 2% or 0.02 [2%]"},
     {"wide",     0,   NULL,         HISTORY,          FLAG,       AT(wide),     "show: CSV with a column a variant, time,commit,…, as Otava reads it, of the rows that go with the last one"},

@@ -10,6 +10,7 @@
 #include "gate/state.h"
 #include "measure/check.h"
 #include "measure/interrupt.h"
+#include "stats/between.h"
 
 // --- before the pairs ----------------------------------------------------------------------------
 
@@ -21,7 +22,7 @@ static bool prepare_all(struct sb_gate_session *session, struct sb_error *err)
                  session->pair_count);
         sb_progress(line);
         sb_gate_session_prepare(session, i, i);
-        for (int side = 0; side < SB_SIDES; side++) {
+        for (int side = i == 0 ? SB_BASE : SB_HEAD; side < SB_SIDES; side++) {
             struct sb_task *task = &session->pair[i].task[side];
             if (sb_task_sound(task))
                 sb_check_picture(task, &session->driver[side]);
@@ -65,59 +66,66 @@ static enum sb_status status_of(const struct sb_gate_pair *pair)
                                  : SB_SAMPLES_INVALID;
 }
 
+// --- one process ---------------------------------------------------------------------------------
+
+struct variant {               // a plan entry over all processes
+    struct sb_interval *ratio; // of each process, a frame of it over one of the anchor
+    int processes;             // that have one
+    int64_t pairs;
+    enum sb_status status; // the first that is a failure
+    const char *note;      // to that
+};
+
+struct measuring {
+    const struct sb_history_measure_params *params;
+    struct sb_gate_params gate;
+    struct sb_history_measured *measured;
+    struct variant *variant;
+};
+
 // The reading is of whole batches; a frame each is wanted.
-static void fill_ratio(const struct sb_gate_pair *pair, struct sb_history_row *row)
+static struct sb_interval ratio_of(const struct sb_gate_pair *pair)
 {
-    const struct sb_interval *ratio = &pair->reading.ratio;
+    struct sb_interval ratio = pair->reading.ratio;
     const double frames = (double)pair->batch[SB_BASE] / pair->batch[SB_HEAD];
-    row->ratio = frames * ratio->point;
-    row->ratio_lo = frames * ratio->lo;
-    row->ratio_hi = frames * ratio->hi;
+    ratio.point *= frames;
+    ratio.lo *= frames;
+    ratio.hi *= frames;
+    return ratio;
 }
 
-static void fill_row(const struct sb_gate_session *session, int i,
-                     const struct sb_history_measure_params *params,
-                     struct sb_history_measured *measured)
+static void take(struct measuring *all, const struct sb_gate_session *session, int i)
 {
     const struct sb_gate_pair *pair = &session->pair[i];
     const struct sb_task *head = &pair->task[SB_HEAD], *anchor = &pair->task[SB_BASE];
+    struct variant *variant = &all->variant[i];
+    struct sb_history_row *row = &all->measured->row[i];
+    struct sb_arena *arena = &all->measured->arena;
     const enum sb_status status = status_of(pair);
-    struct sb_history_row *row = &measured->row[i];
-    struct sb_arena *arena = &measured->arena;
-    sb_history_row_init(row);
-    row->suite = params->suite->name;
-    row->scene = params->suite->entry[i].scene;
-    row->variant = params->suite->entry[i].id;
-    row->metric = sb_metric_rows[session->metric].name;
-    row->renderer = measured->caps.renderer;
-    row->version = measured->caps.version;
-    row->threads = threads_text(arena, &measured->caps);
-    row->status = sb_status_rows[status].word;
     if (anchor->loaded)
-        row->anchor =
-            hash_text(arena, sb_anchor_mark(params->anchor, anchor->prepared.input_hash));
+        row->anchor = hash_text(
+            arena, sb_anchor_mark(all->params->anchor, anchor->prepared.input_hash));
     if (head->loaded)
         row->source_hash = hash_text(arena, head->assembly.source_hash);
-    row->pairs = pair->count;
-    if (pair->count > 0 && sb_status_rows[status].exit_code == 0)
-        fill_ratio(pair, row);
-    else
-        sb_warn("%s %s: %s%s%s", row->scene, row->variant, row->status,
-                head->note.length ? ": " : "", sb_text_get(&head->note));
-    measured->exit_code =
-        sb_exit_code_worse(measured->exit_code, sb_status_rows[status].exit_code);
+    if (sb_status_rows[variant->status].exit_code == 0 && status != SB_OK) {
+        variant->status = status;
+        variant->note = sb_arena_strdup(arena, sb_text_get(&head->note));
+    }
+    if (pair->count == 0)
+        return;
+    variant->ratio[variant->processes++] = ratio_of(pair);
+    variant->pairs += pair->count;
 }
 
-// --- the whole -----------------------------------------------------------------------------------
-
-static bool measure(struct sb_gate_session *session, const struct sb_gate_params *gate,
-                    struct sb_history_measured *measured, struct sb_error *err)
+static bool measure(struct measuring *all, struct sb_gate_session *session,
+                    struct sb_error *err)
 {
+    const struct sb_gate_params *gate = &all->gate;
     sb_progress("opening the driver");
     if (!sb_gate_session_open(session, gate, err))
         return false;
-    measured->metric = session->metric;
-    measured->caps = session->driver[SB_BASE].caps;
+    all->measured->metric = session->metric;
+    all->measured->caps = session->driver[SB_BASE].caps;
     if (!prepare_all(session, err) || !sb_gate_make_ready(session, err))
         return false;
     struct sb_gate_rounds rounds = {
@@ -125,16 +133,69 @@ static bool measure(struct sb_gate_session *session, const struct sb_gate_params
         .rule = &gate->rule,
         .fixed = true,
         .seconds = gate->settings->budget,
-        .arena = &measured->arena,
+        .arena = &all->measured->arena,
     };
     return sb_gate_rounds_run(&rounds, err);
 }
 
-bool sb_history_measure(const struct sb_history_measure_params *params,
-                        struct sb_history_measured *measured, struct sb_error *err)
+static bool measure_process(struct measuring *all, int process, struct sb_error *err)
 {
-    const int count = params->suite->entry_count;
-    const int64_t begin = sb_clock_ns();
+    const int count = all->params->suite->entry_count;
+    struct sb_gate_session session = {.process = process, .pair_count = count};
+    session.pair = sb_alloc(((size_t)count + 1) * sizeof *session.pair);
+    const bool good = measure(all, &session, err);
+    sb_progress("");
+    for (int i = 0; good && i < count; i++)
+        take(all, &session, i);
+    sb_gate_session_close(&session);
+    return good;
+}
+
+// --- the whole -----------------------------------------------------------------------------------
+
+static void set_ratio(const struct variant *variant, struct sb_history_row *row)
+{
+    struct sb_interval ratio = variant->ratio[0];
+    if (variant->processes > 1) {
+        double *point = sb_alloc((size_t)variant->processes * sizeof *point);
+        for (int p = 0; p < variant->processes; p++)
+            point[p] = variant->ratio[p].point;
+        ratio = sb_between_processes(point, variant->processes, 0.95);
+        free(point);
+    }
+    row->ratio = ratio.point;
+    row->ratio_lo = ratio.lo;
+    row->ratio_hi = ratio.hi;
+}
+
+static void fill_row(struct measuring *all, int i)
+{
+    const struct sb_plan_entry *entry = &all->params->suite->entry[i];
+    const struct variant *variant = &all->variant[i];
+    struct sb_history_measured *measured = all->measured;
+    struct sb_history_row *row = &measured->row[i];
+    const int code = sb_status_rows[variant->status].exit_code;
+    row->suite = all->params->suite->name;
+    row->scene = entry->scene;
+    row->variant = entry->id;
+    row->metric = sb_metric_rows[measured->metric].name;
+    row->renderer = measured->caps.renderer;
+    row->version = measured->caps.version;
+    row->threads = threads_text(&measured->arena, &measured->caps);
+    row->status = sb_status_rows[variant->status].word;
+    row->processes = variant->processes;
+    row->pairs = variant->pairs;
+    if (code == 0 && variant->processes > 0)
+        set_ratio(variant, row);
+    else
+        sb_warn("%s %s: %s%s%s", row->scene, row->variant, row->status,
+                variant->note && *variant->note ? ": " : "",
+                variant->note ? variant->note : "");
+    measured->exit_code = sb_exit_code_worse(measured->exit_code, code);
+}
+
+static struct sb_gate_params gate_params(const struct sb_history_measure_params *params)
+{
     struct sb_gate_params gate = {
         .side = {[SB_BASE] = {.suite = &params->anchor->suite,
                               .driver = params->driver,
@@ -149,19 +210,34 @@ bool sb_history_measure(const struct sb_history_measure_params *params,
         .settings = &params->suite->measure,
         .data_dir = params->data_dir,
     };
-    struct sb_gate_session session = {.pair_count = count};
     gate.rule.confirm_pairs = params->pairs;
-    session.pair = sb_alloc(((size_t)count + 1) * sizeof *session.pair);
-    const bool good = measure(&session, &gate, measured, err);
-    sb_progress("");
-    if (good) {
-        measured->row = sb_alloc(((size_t)count + 1) * sizeof *measured->row);
-        measured->row_count = count;
-        for (int i = 0; i < count; i++)
-            fill_row(&session, i, params, measured);
+    return gate;
+}
+
+bool sb_history_measure(const struct sb_history_measure_params *params,
+                        struct sb_history_measured *measured, struct sb_error *err)
+{
+    const int count = params->suite->entry_count,
+              processes = (int)params->suite->measure.processes;
+    const int64_t begin = sb_clock_ns();
+    struct measuring all = {
+        .params = params, .gate = gate_params(params), .measured = measured};
+    struct sb_arena arena = {0};
+    bool good = true;
+    all.variant = sb_arena_alloc(&arena, ((size_t)count + 1) * sizeof *all.variant);
+    measured->row = sb_alloc(((size_t)count + 1) * sizeof *measured->row);
+    for (int i = 0; i < count; i++) {
+        all.variant[i].ratio =
+            sb_arena_alloc(&arena, (size_t)processes * sizeof *all.variant[i].ratio);
+        sb_history_row_init(&measured->row[i]);
     }
+    for (int p = 0; good && p < processes && !sb_interrupted(); p++)
+        good = measure_process(&all, p, err);
+    for (int i = 0; good && i < count; i++)
+        fill_row(&all, i);
+    measured->row_count = good ? count : 0;
     measured->seconds = (double)(sb_clock_ns() - begin) * 1e-9;
-    sb_gate_session_close(&session);
+    sb_arena_free(&arena);
     return good;
 }
 

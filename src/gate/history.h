@@ -7,11 +7,12 @@
 #include "results/history_row.h"
 
 struct sb_history_measure_params {
-    const struct sb_suite *suite; // its `measure`: budget, seed, batch, batch_ms
+    // Its `measure`: processes, and of each of them budget, seed, batch, batch_ms.
+    const struct sb_suite *suite;
     const struct sb_anchor *anchor;
     struct sb_driver_params driver;
     enum sb_metric metric;
-    int pairs; // of each variant, 1 .. SB_GATE_PAIRS_MAX
+    int pairs; // of each variant in each process, 1 .. SB_GATE_PAIRS_MAX
     const char *data_dir, *shaders;
 };
 

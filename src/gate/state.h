@@ -30,7 +30,7 @@ struct sb_gate_session { // the processes that draw, and what they hold
 // sides.c: opens the drivers, finds the metric and proves the timer it needs.
 bool sb_gate_session_open(struct sb_gate_session *session,
                           const struct sb_gate_params *params, struct sb_error *err);
-// Assembles and prepares entry `entry` of the plans as session->pair[place].
+// Assembles and prepares entry `entry` of the plans as session->pair[place], in the order of places.
 void sb_gate_session_prepare(struct sb_gate_session *session, int place, int entry);
 void sb_gate_session_close(struct sb_gate_session *session);
 
