@@ -328,6 +328,18 @@ static void the_job_of_the_docs_works(void **state)
         0, "0 of 20 series are over their first level by more than 2 %");
 }
 
+static void the_docs_have_every_column(void **state)
+{
+    (void)state;
+    for (int c = 0; c < sb_history_column_count; c++) {
+        char line[256];
+        snprintf(line, sizeof line,
+                 "grep -c '^| `%s` | ' '" SB_SOURCE_DIR "/docs/formats.md'",
+                 sb_history_columns[c].name);
+        check_shell(line, 0, "1\n");
+    }
+}
+
 int main(void)
 {
     begin_tests();
@@ -346,6 +358,7 @@ int main(void)
         cmocka_unit_test(wide_has_a_column_a_variant),
         cmocka_unit_test(a_history_without_rows_is_no_failure),
         cmocka_unit_test(the_job_of_the_docs_works),
+        cmocka_unit_test(the_docs_have_every_column),
     };
     return end_tests(run_tests(tests));
 }
