@@ -149,6 +149,7 @@ bool sb_cli_driver_params(const struct sb_options *options, const struct sb_suit
         .timer = options->timer,
         .context.program_cache = options->program_cache,
         .context.worker = options->worker,
+        .context.driver_stats = options->driver_stats,
     };
     if (options->in_process && options->worker)
         return sb_fail(err, SB_USAGE, "--in-process has no worker: leave out --worker");

@@ -46,7 +46,7 @@ static void take_environment(const struct sb_assignments *given,
                              struct sb_context_params *context, struct sb_arena *arena)
 {
     const char **setting =
-        sb_arena_alloc(arena, ((size_t)given->count + 1) * sizeof *setting);
+        sb_arena_alloc(arena, ((size_t)given->count + 1) * sizeof(char *));
     for (int i = 0; i < given->count; i++)
         setting[i] =
             sb_arena_printf(arena, "%s=%s", given->item[i].axis, given->item[i].values);
@@ -115,13 +115,14 @@ static bool find_folders(struct sides *sides, const struct sb_options *options,
 static const char *describe(const struct sides *sides, const struct sb_options *options,
                             int side, struct sb_arena *arena)
 {
-    const struct sb_assignments *lists[] = {
+    enum { LISTS = 2 };
+    const struct sb_assignments *lists[LISTS] = {
         side == SB_BASE ? &options->base_set : &options->head_set,
         side == SB_BASE ? &options->base_env : &options->head_env};
     struct sb_text text = {0};
     if (options->base || options->head)
         sb_text_add(&text, sides->said[side]);
-    for (size_t l = 0; l < sizeof lists / sizeof *lists; l++)
+    for (int l = 0; l < LISTS; l++)
         for (int i = 0; i < lists[l]->count; i++)
             sb_text_printf(&text, "%s%s=%s", text.length ? " " : "",
                            lists[l]->item[i].axis, lists[l]->item[i].values);
@@ -217,8 +218,7 @@ static int judge(struct sides *sides, const struct sb_options *options)
     struct sb_gate_shown shown = {
         .options = options,
         .result = &result,
-        .axes = &sides->suite[SB_HEAD].axes,
-        .suite = sides->suite[SB_HEAD].name,
+        .suite = &sides->suite[SB_HEAD],
         .dir = sides->dir,
         .base = sides->said[SB_BASE],
         .head = sides->said[SB_HEAD],

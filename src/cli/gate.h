@@ -10,8 +10,8 @@
 struct sb_gate_shown {
     const struct sb_options *options;
     const struct sb_gate_result *result;
-    const struct sb_axes *axes;
-    const char *suite, *dir;
+    const struct sb_suite *suite; // head's
+    const char *dir;
     const char *base, *head; // what the sides are, in words
     bool pinned;             // the driver's threads were, by us
     int cases_lost; // hard cases that base passes and head does not; -1: not asked

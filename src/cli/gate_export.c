@@ -133,7 +133,7 @@ void sb_gate_export(const struct sb_gate_shown *shown, struct sb_arena *arena,
         for (int side = 0; side < SB_SIDES; side++)
             fill_side(shown, i, (enum sb_side)side, arena, &row[SB_SIDES * i + side]);
     *export = (struct sb_export){
-        .name = sb_arena_printf(arena, "shadebench gate %s", shown->suite),
+        .name = sb_arena_printf(arena, "shadebench gate %s", shown->suite->name),
         .property = property,
         .property_count = PROPERTIES,
         .row = row,

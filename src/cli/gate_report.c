@@ -1,9 +1,12 @@
 // What a gate prints: regressions and wrong pictures first, what passed last.
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "base/mem.h"
 #include "cli/gate.h"
+#include "cli/keys.h"
 #include "cli/report.h"
 #include "cli/table.h"
 
@@ -26,10 +29,10 @@ static void print_head(const struct sb_gate_shown *shown)
 {
     const struct sb_gate_result *result = shown->result;
     const struct sb_gate_rule *rule = &result->rule;
-    const bool apart =
-        strcmp(result->caps[SB_BASE].renderer, result->caps[SB_HEAD].renderer) ||
-        strcmp(result->caps[SB_BASE].version, result->caps[SB_HEAD].version);
-    printf("gate %s: base %s, head %s\n", shown->suite, shown->base, shown->head);
+    const struct sb_caps *base = &result->caps[SB_BASE], *head = &result->caps[SB_HEAD];
+    const bool apart = strcmp(base->renderer, head->renderer) != 0 ||
+                       strcmp(base->version, head->version) != 0;
+    printf("gate %s: base %s, head %s\n", shown->suite->name, shown->base, shown->head);
     for (int side = 0; side < (apart ? SB_SIDES : 1); side++)
         printf("driver%s%s: %s, %s%s\n", apart ? " of " : "",
                apart ? sb_side_names[side] : "", result->caps[side].renderer,
@@ -46,10 +49,29 @@ static void print_head(const struct sb_gate_shown *shown)
            rule->looks.rounds, rule->confirm_pairs);
 }
 
-static void print_row(struct sb_table *table, const struct sb_gate_row *row)
+// What tells the variants apart, as tables of runs have it.
+struct names {
+    struct sb_row *row;
+    struct sb_keys keys;
+};
+
+static void names_make(struct names *names, const struct sb_suite *suite)
 {
-    sb_table_cell(table, row->scene);
-    sb_table_cell(table, row->variant);
+    names->row = sb_alloc(((size_t)suite->entry_count + 1) * sizeof *names->row);
+    for (int i = 0; i < suite->entry_count; i++) {
+        sb_row_init(&names->row[i]);
+        names->row[i].axes = &suite->entry[i].variant;
+        names->row[i].scene = suite->entry[i].scene;
+        names->row[i].variant = suite->entry[i].id;
+    }
+    sb_keys_make(&names->keys, &suite->axes, names->row, suite->entry_count);
+    names->keys.scene = names->keys.id = true;
+}
+
+static void print_row(struct sb_table *table, const struct names *names, int i,
+                      const struct sb_gate_row *row)
+{
+    sb_keys_cells(&names->keys, table, &names->row[i]);
     sb_table_real(table, "%.4g", row->base_ms);
     sb_table_real(table, "%.4g", row->head_ms);
     sb_table_real(table, "%.4f", row->ratio);
@@ -66,13 +88,14 @@ static void print_row(struct sb_table *table, const struct sb_gate_row *row)
     sb_table_cell(table, strcmp(row->status, "ok") == 0 ? NULL : row->status);
 }
 
-static void print_table(const struct sb_gate_result *result)
+static void print_table(const struct sb_gate_result *result, const struct sb_suite *suite)
 {
     struct sb_table *table = sb_table_new();
+    struct names names;
     int shown = 0;
     static const char *const right[] = {"base ms", "head ms", "ratio", "95 %", "pairs"};
-    sb_table_column(table, "scene", false);
-    sb_table_column(table, "variant", false);
+    names_make(&names, suite);
+    sb_keys_columns(&names.keys, table);
     for (int i = 0; i < 5; i++)
         sb_table_column(table, right[i], true);
     sb_table_column(table, "picture", false);
@@ -81,12 +104,13 @@ static void print_table(const struct sb_gate_result *result)
     for (int r = 0; r < SB_GATE_VERDICT_COUNT; r++)
         for (int i = 0; i < result->row_count; i++)
             if (rank(&result->row[i]) == r) {
-                print_row(table, &result->row[i]);
+                print_row(table, &names, i, &result->row[i]);
                 shown++;
             }
     if (shown)
         sb_table_print(table);
     sb_table_free(&table);
+    free(names.row);
 }
 
 // One line for each row that needs words.
@@ -160,7 +184,7 @@ static void print_foot(const struct sb_gate_shown *shown)
 void sb_gate_print(const struct sb_gate_shown *shown)
 {
     print_head(shown);
-    print_table(shown->result);
+    print_table(shown->result, shown->suite);
     print_notes(shown->result);
     if (shown->options->selftest)
         print_bias(shown);

@@ -107,6 +107,8 @@ static const struct option options_table[] = {
     {"timer",    0,   "NAME",       RUN|PROBE|VERIFY|GATE|HISTORY, TEXT,       AT(timer),    "timer source to use, if its audit allows; default: auto"},
     {"pixel",    0,   "X,Y",        EXPLAIN,          TEXT,       AT(pixel),    "the pixel to explain, counted from the lower left"},
     {"device",   0,   "N",          RUN|PROBE|VERIFY|EXPLAIN|GATE|HISTORY, TEXT,  AT(device),   "EGL device number, where there are several"},
+    {"driver-stats", 0, NULL,      RUN,              FLAG,       AT(driver_stats), "keep what the driver prints of its shaders (instructions, registers), where it does"},
+    {"platform", 0,   "NAME",       RUN,              TEXT,       AT(platform), "of a plan over several platforms, only the variants of this one: driver=softpipe"},
     {"worker",   0,   "COMMAND",    WORKERS,          TEXT,       AT(worker),   "what starts a worker: 'ssh HOST shadebench-worker'; default: the one beside this program"},
     {"worker-limit", 0, "SECONDS",  WORKERS,          TEXT,       AT(worker_limit), "a worker that takes longer over one call is killed [120]"},
     {"in-process", 0, NULL,         WORKERS,          FLAG,       AT(in_process), "draw in this process, for a debugger: a driver that crashes ends it"},

@@ -10,6 +10,7 @@
 #include "base/file.h"
 #include "base/log.h"
 #include "cli/expect.h"
+#include "cli/platforms.h"
 #include "cli/report.h"
 #include "cli/write.h"
 #include "export/from_results.h"
@@ -281,6 +282,42 @@ static int show_results(const struct sb_options *options, const struct sb_suite 
     return write_outputs(options, suite, result, expected, dir, written, arena);
 }
 
+// One run a platform, and what is asked of all of them together.
+static int run_platforms(const struct sb_options *options, const struct sb_suite *suite,
+                         const struct sb_platforms *platforms, const json_t *arguments,
+                         struct sb_expected *expected, struct sb_arena *arena)
+{
+    struct sb_platforms_rows rows = {0};
+    const char *dir = results_dir(options, suite, arena);
+    const struct sb_platforms_run run = {
+        .suite = suite,
+        .platforms = platforms,
+        .dir = dir,
+        .arguments = arguments,
+        .quiet_output = options->json || sb_outputs_take_stdout(&options->write),
+    };
+    int code = sb_platforms_run(&run, &rows);
+    const struct sb_run_result result = {
+        .row = rows.row, .row_count = rows.count, .interrupted = sb_interrupted()};
+    const bool judged = options->check && !result.interrupted && rows.count > 0;
+    if (judged) {
+        sb_expect_check(expected, result.row, result.row_count);
+        if (!run.quiet_output)
+            sb_cli_expect_print(expected);
+        code = sb_exit_code_worse(code, sb_cli_expect_code(options, expected));
+    }
+    if (options->json)
+        print_results(options, suite, &result, judged ? expected : NULL, dir, true);
+    else if (!run.quiet_output && rows.count > 0)
+        printf("\nresults of all platforms: %s/summary.csv\n", dir);
+    if (rows.count > 0)
+        code = sb_exit_code_worse(code, write_outputs(options, suite, &result,
+                                                      judged ? expected : NULL, NULL,
+                                                      true, arena));
+    sb_platforms_rows_free(&rows);
+    return code;
+}
+
 static int run_suite(const struct sb_options *options, json_t *arguments,
                      struct sb_arena *arena)
 {
@@ -288,6 +325,7 @@ static int run_suite(const struct sb_options *options, json_t *arguments,
     struct sb_suite suite = {0};
     struct sb_run_result result = {0};
     struct sb_expected expected = {0};
+    struct sb_platforms platforms;
     struct sb_driver_params driver;
     int code;
     const char *path = NULL, *dir = NULL;
@@ -307,9 +345,19 @@ static int run_suite(const struct sb_options *options, json_t *arguments,
              !(path = sb_cli_suite_path(options->word[0], data, arena, &err)))
         return sb_cli_fail(&err);
 
-    bool good = sb_cli_load_suite(options, path, data, &suite, &err) &&
-                sb_cli_expect(options, &suite, &expected, &err) &&
-                sb_cli_driver_params(options, &suite, &driver, &err);
+    bool good =
+        sb_cli_load_suite(options, path, data, &suite, &err) &&
+        sb_cli_expect(options, &suite, &expected, &err) &&
+        (!options->platform || sb_platforms_keep(&suite, options->platform, &err));
+    if (good)
+        sb_platforms_find(&suite, &platforms, arena);
+    if (good && platforms.count > 1) {
+        code = run_platforms(options, &suite, &platforms, arguments, &expected, arena);
+        sb_expect_free(&expected);
+        sb_suite_free(&suite);
+        return code;
+    }
+    good = good && sb_cli_driver_params(options, &suite, &driver, &err);
     if (good && options->ablate)
         sb_ablate(&suite);
     if (good) {

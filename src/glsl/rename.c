@@ -118,7 +118,7 @@ static void add_name(struct names *names, const struct token *token)
     if (has(names, token))
         return;
     names->item =
-        sb_grow(names->item, names->count, &names->capacity, sizeof *names->item);
+        sb_grow(names->item, names->count, &names->capacity, sizeof(struct token *));
     names->item[names->count++] = token;
 }
 

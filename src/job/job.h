@@ -23,6 +23,8 @@ struct sb_context_params {
     // "NAME=VALUE" sets, "NAME" unsets a variable before a driver is loaded.
     const char *const *environment;
     int environment_count;
+    bool
+        driver_stats; // ask the driver for sb_prepared.driver_stats; compile times then hold that
     // Of a worker: the command that starts one (by /bin/sh; NULL: shadebench-worker beside this
     // program), and how long it may take over one call, or one batch of a round; 0: 120 s.
     const char *worker;
@@ -107,8 +109,9 @@ struct sb_prepared {
     bool
         draws_shadows; // a frame draws the shadow maps again, so that SB_PART_SHADOWS is a
                        // part of it
-    uint64_t input_hash;  // of every float uploaded
-    uint64_t binary_hash; // of the program binaries; 0: the driver has none
+    uint64_t input_hash;     // of every float uploaded
+    uint64_t binary_hash;    // of the program binaries; 0: the driver has none
+    char driver_stats[1000]; // what the driver printed of the shaders; "": nothing
 };
 
 struct sb_shot {

@@ -2,10 +2,12 @@
 #include "local/state.h"
 
 #include <inttypes.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/mem.h"
+#include "gl/statistics.h"
 
 bool sb_local_gl_ok(const char *what, uint32_t job, struct sb_error *err)
 {
@@ -158,11 +160,9 @@ static bool prepare_rows(struct sb_local *local, const struct sb_job *request,
     return true;
 }
 
-bool sb_local_prepare(void *self, const struct sb_job *request,
-                      struct sb_prepared *result)
+static bool prepare(struct sb_local *local, const struct sb_job *request,
+                    struct sb_prepared *result)
 {
-    struct sb_local *local = self;
-    *result = (struct sb_prepared){0};
     struct sb_error *err = &result->error;
     if (sb_local_job_find(local, request->id, NULL))
         return sb_fail(err, SB_INTERNAL, "job %" PRIu32 " is prepared already",
@@ -197,6 +197,22 @@ bool sb_local_prepare(void *self, const struct sb_job *request,
 error:
     job_free(local, job);
     return false;
+}
+
+bool sb_local_prepare(void *self, const struct sb_job *request,
+                      struct sb_prepared *result)
+{
+    struct sb_local *local = self;
+    struct sb_text said = {0};
+    *result = (struct sb_prepared){0};
+    if (local->driver_stats)
+        sb_gl_statistics_begin(&said);
+    const bool good = prepare(local, request, result);
+    if (local->driver_stats)
+        sb_gl_statistics_end();
+    snprintf(result->driver_stats, sizeof result->driver_stats, "%s", sb_text_get(&said));
+    sb_text_free(&said);
+    return good;
 }
 
 void sb_local_release(void *self, uint32_t id)

@@ -45,6 +45,7 @@ static void *open_runner(const struct sb_context_params *params, struct sb_caps 
         close_runner(local);
         return NULL;
     }
+    local->driver_stats = params->driver_stats;
     if (params->program_cache)
         local->cache = sb_gl_program_cache_open(params->program_cache, &local->caps);
     *caps = local->caps;

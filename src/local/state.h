@@ -91,6 +91,7 @@ struct sb_local {
     const struct sb_context_fns *context;
     void *window;                      // the context's own state
     struct sb_gl_program_cache *cache; // NULL: none
+    bool driver_stats;                 // to be asked for
     struct sb_caps caps;
     struct sb_gl_program id_program;
     // Made when first asked for; name 0, or no framebuffer: not yet.

@@ -231,6 +231,8 @@ static void fill_work(const struct sb_task *task, struct sb_row *row,
     row->first_draw_ms = prepared->first_draw_ms;
     row->input_hash = hash_text(arena, prepared->input_hash);
     row->binary_hash = hash_text(arena, prepared->binary_hash);
+    if (prepared->driver_stats[0])
+        row->driver_stats = prepared->driver_stats;
     row->nonfinite = task->nonfinite;
     row->class_spread = task->class_spread;
     row->negative = task->negative;

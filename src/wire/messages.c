@@ -33,7 +33,7 @@ json_t *sb_wire_call(const char *call)
 
 #define CONTEXT(member) SB_FIELD(struct sb_context_params, member)
 static const struct sb_field open_fields[] = {CONTEXT(context), CONTEXT(gles),
-                                              CONTEXT(device)};
+                                              CONTEXT(device), CONTEXT(driver_stats)};
 #undef CONTEXT
 
 void sb_wire_put_open(json_t *head, const struct sb_context_params *params)
@@ -346,6 +346,7 @@ static const struct sb_field prepared_fields[] = {
     PREPARED(fragments),      PREPARED(gl_calls),        PREPARED(programs),
     PREPARED(switches),       PREPARED(programs_cached), PREPARED(casters),
     PREPARED(draws_shadows),  PREPARED(input_hash),      PREPARED(binary_hash),
+    PREPARED(driver_stats),
 };
 #undef PREPARED
 

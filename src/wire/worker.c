@@ -1,13 +1,10 @@
 #include "wire/worker.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/clock.h"
-#include "base/file.h"
 #include "base/log.h"
-#include "wire/child.h"
+#include "wire/connection.h"
 #include "wire/messages.h"
 
 enum { STRIKES = 2 };
@@ -22,187 +19,9 @@ struct remote_job {
 };
 
 struct worker {
-    struct sb_context_params params; // its texts live in `arena`
-    struct sb_caps caps;
-    struct sb_child child; // pid 0: none runs
-    int count;             // workers started, this one included
-    int timer;             // source in use; -1: none
+    struct sb_connection line;
     struct remote_job *jobs;
-    struct sb_arena arena;
 };
-
-static int64_t deadline(const struct worker *worker)
-{
-    const double limit = worker->params.worker_limit_s;
-    return sb_clock_ns() + (int64_t)((limit > 0 ? limit : 120) * 1e9);
-}
-
-// --- one worker ------------------------------------------------------------------------------
-
-// Ends what is left of the worker, and says in *err how the exchange failed.
-static bool lose(struct worker *worker, enum sb_frame_end end, const char *doing,
-                 struct sb_error *err)
-{
-    struct sb_text how = {0};
-    const struct sb_error garbage = *err;
-    sb_child_end(&worker->child, end == SB_FRAME_CLOSED ? 5 : 0, &how);
-    if (end == SB_FRAME_GARBAGE)
-        sb_fail(err, SB_WORKER_GARBAGE, "%s: the worker %s", doing, garbage.text);
-    else if (end == SB_FRAME_LATE)
-        sb_fail(err, SB_WORKER_HUNG,
-                "%s: the worker did not answer within %g s and was killed", doing,
-                worker->params.worker_limit_s > 0 ? worker->params.worker_limit_s : 120);
-    else
-        sb_fail(err, SB_WORKER_CRASHED, "%s: the worker %s", doing,
-                how.length ? how.data : "closed its output");
-    sb_text_free(&how);
-    return false;
-}
-
-static bool receive(struct worker *worker, const char *doing, struct sb_frame *answer,
-                    struct sb_error *err)
-{
-    const enum sb_frame_end end =
-        sb_frame_read(worker->child.fd, answer, deadline(worker), err);
-    return end == SB_FRAME_OK || lose(worker, end, doing, err);
-}
-
-static bool send_request(struct worker *worker, const char *doing,
-                         const struct sb_frame *request, struct sb_error *err)
-{
-    const enum sb_frame_end end =
-        sb_frame_write(worker->child.fd, request, deadline(worker));
-    // A worker that could not be written to has had a reason, which may be waiting.
-    return end == SB_FRAME_OK || lose(worker, end, doing, err);
-}
-
-// What an answer says: false with the runner's own error; a worker that breaks the protocol is
-// lost.
-static bool accept_answer(struct worker *worker, const char *doing,
-                          const struct sb_frame *answer, struct sb_error *err)
-{
-    const json_t *ok = json_object_get(answer->head, "ok");
-    struct sb_error told;
-    if (json_is_true(ok))
-        return true;
-    if (!json_is_false(ok)) {
-        sb_fail(err, SB_WORKER_GARBAGE, "wrote a message that is no answer");
-        return lose(worker, SB_FRAME_GARBAGE, doing, err);
-    }
-    if (!sb_wire_get_error(json_object_get(answer->head, "error"), &told, err))
-        return lose(worker, SB_FRAME_GARBAGE, doing, err);
-    *err = told;
-    return false;
-}
-
-// Request and answer. *answer must be zeroed; it is filled only on success.
-static bool exchange(struct worker *worker, const char *doing,
-                     const struct sb_frame *request, struct sb_frame *answer,
-                     struct sb_error *err)
-{
-    if (!send_request(worker, doing, request, err) ||
-        !receive(worker, doing, answer, err))
-        return false;
-    if (accept_answer(worker, doing, answer, err))
-        return true;
-    sb_frame_free(answer);
-    return false;
-}
-
-static bool lost(const struct worker *worker)
-{
-    return worker->child.pid == 0;
-}
-
-// A part of an answer that cannot be read: the worker is not to be believed any more.
-static bool distrust(struct worker *worker, const char *doing, struct sb_error *err)
-{
-    return lose(worker, SB_FRAME_GARBAGE, doing, err);
-}
-
-static const char *default_command(struct sb_arena *arena, struct sb_error *err)
-{
-    char *program = sb_executable(arena, err);
-    if (!program)
-        return NULL;
-    *strrchr(program, '/') = '\0';
-    const char *beside = sb_arena_printf(arena, "%s/shadebench-worker", program);
-    if (!sb_file_exists(beside)) {
-        sb_fail(err, SB_BAD_INPUT,
-                "%s is missing; install it, or say --in-process or --worker COMMAND",
-                beside);
-        return NULL;
-    }
-    // Quoted for the shell: ' becomes '\''.
-    struct sb_text quoted = {0};
-    sb_text_add(&quoted, "exec '");
-    for (const char *p = beside; *p; p++)
-        sb_text_add_n(&quoted, *p == '\'' ? "'\\''" : p, *p == '\'' ? 4 : 1);
-    sb_text_add(&quoted, "'");
-    const char *command = sb_arena_strdup(arena, sb_text_get(&quoted));
-    sb_text_free(&quoted);
-    return command;
-}
-
-static bool open_context(struct worker *worker, struct sb_caps *caps,
-                         struct sb_error *err)
-{
-    struct sb_frame request = {.head = sb_wire_call("open")}, answer = {0};
-    sb_wire_put_open(request.head, &worker->params);
-    bool good = exchange(worker, "opening the context", &request, &answer, err);
-    if (good && !sb_wire_get_caps(json_object_get(answer.head, "caps"), caps, err))
-        good = distrust(worker, "opening the context", err);
-    sb_frame_free(&request);
-    sb_frame_free(&answer);
-    return good;
-}
-
-static bool tell_timer(struct worker *worker, struct sb_error *err)
-{
-    struct sb_frame request = {.head = sb_wire_call("use_timer")}, answer = {0};
-    json_object_set_new(request.head, "source", json_integer(worker->timer));
-    const bool good = exchange(worker, "choosing the timer", &request, &answer, err);
-    sb_frame_free(&request);
-    sb_frame_free(&answer);
-    return good;
-}
-
-static bool start(struct worker *worker, struct sb_caps *caps, struct sb_error *err)
-{
-    const struct sb_child_params params = {
-        .command = worker->params.worker,
-        .environment = worker->params.environment,
-        .environment_count = worker->params.environment_count,
-    };
-    struct sb_text ignored = {0};
-    worker->count++;
-    if (!sb_child_start(&params, &worker->child, err))
-        return false;
-    if (open_context(worker, caps, err))
-        return true;
-    sb_child_end(&worker->child, 5, &ignored);
-    sb_text_free(&ignored);
-    return false;
-}
-
-// Starts a fresh worker where there is none. It must be the same driver: else its times would
-// stand beside those of another.
-static bool ensure_worker(struct worker *worker, struct sb_error *err)
-{
-    struct sb_caps caps;
-    if (!lost(worker))
-        return true;
-    if (!start(worker, &caps, err))
-        return false;
-    if (strcmp(caps.renderer, worker->caps.renderer) != 0 ||
-        strcmp(caps.version, worker->caps.version) != 0)
-        return sb_fail(err, SB_GL_ERROR,
-                       "a fresh worker found another driver, %s %s instead of %s %s",
-                       caps.renderer, caps.version, worker->caps.renderer,
-                       worker->caps.version);
-    sb_debug("worker %d goes on", worker->count);
-    return worker->timer < 0 || tell_timer(worker, err);
-}
 
 // --- jobs ------------------------------------------------------------------------------------
 
@@ -238,11 +57,11 @@ static bool exchange_for(struct worker *worker, struct remote_job *job, const ch
                          struct sb_error *err)
 {
     while (!given_up(job, err)) {
-        if (!ensure_worker(worker, err))
+        if (!sb_connection_ensure(&worker->line, err))
             return false;
-        if (exchange(worker, doing, request, answer, err))
+        if (sb_connection_exchange(&worker->line, doing, request, answer, err))
             return true;
-        if (!lost(worker))
+        if (!sb_connection_lost(&worker->line))
             return false; // the runner's own word
         strike(job, err);
     }
@@ -256,9 +75,9 @@ static bool ensure_job(struct worker *worker, struct remote_job *job,
     struct sb_frame answer = {0};
     struct sb_prepared prepared = {0};
     while (!given_up(job, err)) {
-        if (!ensure_worker(worker, err))
+        if (!sb_connection_ensure(&worker->line, err))
             return false;
-        if (job->worker == worker->count)
+        if (job->worker == worker->line.count)
             return true;
         if (!exchange_for(worker, job, "preparing it again", &job->prepare, &answer, err))
             return false;
@@ -270,9 +89,9 @@ static bool ensure_job(struct worker *worker, struct remote_job *job,
             return false;
         }
         if (good)
-            job->worker = worker->count;
+            job->worker = worker->line.count;
         else
-            distrust(worker, "preparing it again", err);
+            sb_connection_distrust(&worker->line, "preparing it again", err);
     }
     return false;
 }
@@ -290,7 +109,7 @@ static bool worker_prepare(void *self, const struct sb_job *request,
     bool good =
         exchange_for(worker, job, "preparing a variant", &job->prepare, &answer, &err);
     if (good && !sb_wire_get_prepared(&answer, prepared, &err))
-        good = distrust(worker, "preparing a variant", &err);
+        good = sb_connection_distrust(&worker->line, "preparing a variant", &err);
     if (!good)
         prepared->error = err;
     good = good && json_is_true(json_object_get(answer.head, "loaded"));
@@ -300,7 +119,7 @@ static bool worker_prepare(void *self, const struct sb_job *request,
         free(job);
         return false;
     }
-    job->worker = worker->count;
+    job->worker = worker->line.count;
     job->next = worker->jobs;
     worker->jobs = job;
     return true;
@@ -316,8 +135,9 @@ static void worker_release(void *self, uint32_t id)
             continue;
         struct sb_frame request = {.head = sb_wire_call("release")}, answer = {0};
         json_object_set_new(request.head, "id", json_integer(id));
-        if (!lost(worker) && job->worker == worker->count)
-            exchange(worker, "releasing a variant", &request, &answer, &ignored);
+        if (!sb_connection_lost(&worker->line) && job->worker == worker->line.count)
+            sb_connection_exchange(&worker->line, "releasing a variant", &request,
+                                   &answer, &ignored);
         sb_frame_free(&request);
         sb_frame_free(&answer);
         *at = job->next;
@@ -329,7 +149,7 @@ static void worker_release(void *self, uint32_t id)
 
 static int worker_workers(const void *self)
 {
-    return ((const struct worker *)self)->count;
+    return ((const struct worker *)self)->line.count;
 }
 
 static bool worker_holds(void *self, uint32_t id, struct sb_error *err)
@@ -347,19 +167,19 @@ static bool shoot(struct worker *worker, const struct sb_shot *shots, int count,
     static const char doing[] = "measuring";
     struct sb_frame request = {.head = sb_wire_call("round")};
     json_object_set_new(request.head, "shots", sb_wire_pack_shots(shots, count));
-    bool good = send_request(worker, doing, &request, err);
+    bool good = sb_connection_send(&worker->line, doing, &request, err);
     sb_frame_free(&request);
     for (*done = 0; good;) {
         struct sb_frame answer = {0};
-        if (!receive(worker, doing, &answer, err))
+        if (!sb_connection_receive(&worker->line, doing, &answer, err))
             return false;
         const json_t *sample = json_object_get(answer.head, "sample");
         if (!sample) {
-            good = accept_answer(worker, doing, &answer, err);
+            good = sb_connection_accept(&worker->line, doing, &answer, err);
             sb_frame_free(&answer);
             if (good && *done < count) {
                 sb_fail(err, SB_WORKER_GARBAGE, "has left out samples");
-                good = distrust(worker, doing, err);
+                good = sb_connection_distrust(&worker->line, doing, err);
             }
             return good;
         }
@@ -367,7 +187,7 @@ static bool shoot(struct worker *worker, const struct sb_shot *shots, int count,
         if (!good) {
             if (*done >= count)
                 sb_fail(err, SB_WORKER_GARBAGE, "wrote more samples than were asked for");
-            distrust(worker, doing, err);
+            sb_connection_distrust(&worker->line, doing, err);
         }
         *done += good;
         sb_frame_free(&answer);
@@ -381,8 +201,8 @@ static bool shoot(struct worker *worker, const struct sb_shot *shots, int count,
 static bool ensure_jobs(struct worker *worker, const struct sb_shot *shots, int count,
                         struct sb_error *err)
 {
-    for (int before = -1; before != worker->count;) {
-        before = worker->count;
+    for (int before = -1; before != worker->line.count;) {
+        before = worker->line.count;
         for (int i = 0; i < count; i++) {
             struct remote_job *job = find(worker, shots[i].job, err);
             if (!job || (!given_up(job, NULL) && !ensure_job(worker, job, err) &&
@@ -422,7 +242,7 @@ static bool worker_round(void *self, const struct sb_shot *shots, int count,
         for (int i = 0, next = 0; i < count; i++)
             if (next < kept && left[next].job == shots[i].job)
                 samples[i] = got[next++];
-    } else if (lost(worker)) {
+    } else if (sb_connection_lost(&worker->line)) {
         strike(find(worker, left[done < kept ? done : kept - 1].job, NULL), err);
         good = true; // the round is lost, and its samples say so
     }
@@ -442,12 +262,13 @@ static bool worker_image(void *self, const struct sb_image_request *request,
     bool good = false;
     sb_wire_put_request(request, &asked);
     while (job && !good && ensure_job(worker, job, err)) {
-        if (exchange(worker, "drawing a picture", &asked, &answer, err)) {
+        if (sb_connection_exchange(&worker->line, "drawing a picture", &asked, &answer,
+                                   err)) {
             good = sb_wire_get_image(&answer, image, err) ||
-                   distrust(worker, "drawing a picture", err);
+                   sb_connection_distrust(&worker->line, "drawing a picture", err);
             sb_frame_free(&answer);
         }
-        if (good || !lost(worker))
+        if (good || !sb_connection_lost(&worker->line))
             break;
         strike(job, err);
     }
@@ -459,11 +280,12 @@ static bool worker_audit(void *self, struct sb_audit *audit, struct sb_error *er
 {
     struct worker *worker = self;
     struct sb_frame request = {.head = sb_wire_call("audit")}, answer = {0};
-    bool good = ensure_worker(worker, err) &&
-                exchange(worker, "auditing the timers", &request, &answer, err);
+    bool good = sb_connection_ensure(&worker->line, err) &&
+                sb_connection_exchange(&worker->line, "auditing the timers", &request,
+                                       &answer, err);
     if (good && !sb_wire_get_audit(json_object_get(answer.head, "audit"), audit,
-                                   &worker->arena, err))
-        good = distrust(worker, "auditing the timers", err);
+                                   &worker->line.arena, err))
+        good = sb_connection_distrust(&worker->line, "auditing the timers", err);
     sb_frame_free(&request);
     sb_frame_free(&answer);
     return good;
@@ -473,10 +295,11 @@ static bool worker_probe(void *self, struct sb_probe *probe, struct sb_error *er
 {
     struct worker *worker = self;
     struct sb_frame request = {.head = sb_wire_call("probe")}, answer = {0};
-    bool good = ensure_worker(worker, err) &&
-                exchange(worker, "probing the driver", &request, &answer, err);
+    bool good = sb_connection_ensure(&worker->line, err) &&
+                sb_connection_exchange(&worker->line, "probing the driver", &request,
+                                       &answer, err);
     if (good && !sb_wire_get_probe(json_object_get(answer.head, "probe"), probe, err))
-        good = distrust(worker, "probing the driver", err);
+        good = sb_connection_distrust(&worker->line, "probing the driver", err);
     sb_frame_free(&request);
     sb_frame_free(&answer);
     return good;
@@ -485,29 +308,21 @@ static bool worker_probe(void *self, struct sb_probe *probe, struct sb_error *er
 static bool worker_use_timer(void *self, int source, struct sb_error *err)
 {
     struct worker *worker = self;
-    worker->timer = source;
-    return ensure_worker(worker, err) && tell_timer(worker, err);
+    worker->line.timer = source;
+    return sb_connection_ensure(&worker->line, err) &&
+           sb_connection_tell_timer(&worker->line, err);
 }
 
 static void worker_close(void *self)
 {
     struct worker *worker = self;
-    struct sb_text how = {0};
-    const struct sb_frame request = {.head = sb_wire_call("close")};
     while (worker->jobs) {
         struct remote_job *job = worker->jobs;
         worker->jobs = job->next;
         sb_frame_free(&job->prepare);
         free(job);
     }
-    if (!lost(worker))
-        sb_frame_write(worker->child.fd, &request, deadline(worker));
-    json_decref(request.head);
-    sb_child_end(&worker->child, 10, &how);
-    if (strstr(sb_text_get(&how), "killed"))
-        sb_warn("the worker %s when it closed; nothing is lost", how.data);
-    sb_text_free(&how);
-    sb_arena_free(&worker->arena);
+    sb_connection_close(&worker->line);
     free(worker);
 }
 
@@ -515,21 +330,11 @@ static void *worker_open(const struct sb_context_params *params, struct sb_caps 
                          struct sb_error *err)
 {
     struct worker *worker = sb_alloc(sizeof *worker);
-    worker->params = *params;
-    worker->timer = -1;
-    const char **setting = sb_arena_alloc(
-        &worker->arena, ((size_t)params->environment_count + 1) * sizeof *setting);
-    for (int i = 0; i < params->environment_count; i++)
-        setting[i] = sb_arena_strdup(&worker->arena, params->environment[i]);
-    worker->params.environment = setting;
-    worker->params.worker = params->worker
-                                ? sb_arena_strdup(&worker->arena, params->worker)
-                                : default_command(&worker->arena, err);
-    if (!worker->params.worker || !start(worker, &worker->caps, err)) {
+    if (!sb_connection_open(&worker->line, params, err)) {
         worker_close(worker);
         return NULL;
     }
-    *caps = worker->caps;
+    *caps = worker->line.caps;
     return worker;
 }
 

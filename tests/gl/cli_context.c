@@ -281,6 +281,26 @@ static void up_to_256_lights_of_each_type_run_or_name_the_limit(void **state)
     sb_csv_free(&csv);
 }
 
+// softpipe prints what its compiler made of each shader; llvmpipe prints nothing.
+static void what_a_driver_prints_of_its_shaders_stands_in_the_row(void **state)
+{
+    (void)state;
+    static struct answer answer;
+    struct sb_csv csv;
+    if (!is_egl())
+        skip();
+    run_timed(&answer,
+              "run -q --context egl --driver softpipe --driver-stats --rounds 5 --set "
+              "point=1 --set width=16 --set height=16 -o @/says");
+    if (no_timer(&answer))
+        skip();
+    assert_int_equal(answer.code, 0);
+    read_csv("says/summary.csv", &csv);
+    check_contains(csv_cell(&csv, 1, "driver_stats"), "FS shader: ");
+    check_contains(csv_cell(&csv, 1, "driver_stats"), " inst, ");
+    sb_csv_free(&csv);
+}
+
 int main(void)
 {
     begin_gl_tests();
@@ -289,6 +309,7 @@ int main(void)
         cmocka_unit_test(precision_in_the_rows_is_what_the_probe_measured),
         cmocka_unit_test(a_timer_that_did_not_pass_is_refused_with_the_reason),
         cmocka_unit_test(a_shader_that_does_not_compile_costs_only_its_rows),
+        cmocka_unit_test(what_a_driver_prints_of_its_shaders_stands_in_the_row),
         cmocka_unit_test(up_to_256_lights_of_each_type_run_or_name_the_limit),
     };
     return end_tests(run_tests(tests));
