@@ -57,6 +57,7 @@ static int start(void **state)
     (void)state;
     const struct sb_assignment sweep = {"point", "1,2,4", "test"};
     sb_log_set_level(SB_LOG_QUIET);
+    unsetenv("LP_NUM_THREADS");
     opened = 0;
     next_script = (struct sb_null_script){.frame_ns = frame_ns};
     if (!sb_suite_load(&(struct sb_suite_params){.sweep = &sweep, .sweep_count = 1},
@@ -108,7 +109,7 @@ static void the_files_of_the_anchor_are_what_they_always_were(void **state)
 {
     (void)state;
     static const uint64_t hashes[] = {UINT64_C(0x96b42322d9df3184),
-                                       UINT64_C(0xbcc41220ff3036de)};
+                                      UINT64_C(0xbcc41220ff3036de)};
     for (int gles = 0; gles < 2; gles++) {
         struct sb_anchor other = {0};
         assert_true(sb_anchor_load(SB_SOURCE_DIR, &suite, gles, &other, &err));
@@ -209,7 +210,7 @@ static void a_ratio_is_that_of_frames_whatever_the_batches(void **state)
         assert_string_equal(row->status, "ok");
         assert_string_equal(row->variant, suite.entry[i].id);
         assert_string_equal(row->metric, "gpu");
-        assert_null(row->threads); // of a software driver only
+        assert_null(row->threads); // no CPU draws, as far as is known
     }
     assert_int_equal(measured.exit_code, 0);
     // 2 ms a batch each: five frames of the anchor and two of a variant, in turns.
@@ -297,6 +298,36 @@ static void a_variant_whose_samples_are_lost_on_the_way_says_so(void **state)
     assert_true(measured.row[1].pairs < PAIRS);
 }
 
+static void threads_are_those_of_the_environment(void **state)
+{
+    (void)state;
+    setenv("LP_NUM_THREADS", "3", 1);
+    measure(1);
+    assert_string_equal(measured.row[0].threads, "3");
+}
+
+// Six shots are its calibration, two warm up.
+static unsigned lose_all_but_four(void *user, const struct sb_shot *asked, int64_t count)
+{
+    (void)user;
+    (void)count;
+    static int seen;
+    seen += asked->job == 4;
+    return asked->job == 4 && seen > 12 ? SB_SAMPLE_DISJOINT : 0;
+}
+
+// Few pairs have a ratio, and no interval: the file takes that.
+static void four_pairs_are_a_ratio_without_an_interval(void **state)
+{
+    (void)state;
+    next_script.flags = lose_all_but_four;
+    measure(1);
+    assert_int_equal(measured.row[1].pairs, 4);
+    assert_string_equal(measured.row[1].status, "ok");
+    check_close(measured.row[1].ratio, 2.5, 1e-3);
+    assert_true(isnan(measured.row[1].ratio_lo));
+}
+
 int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, start, stop)
@@ -311,6 +342,8 @@ int main(void)
         TEST(a_variant_that_does_not_compile_has_a_row_without_a_ratio),
         TEST(a_picture_that_is_not_finite_has_no_ratio),
         TEST(a_variant_whose_samples_are_lost_on_the_way_says_so),
+        TEST(four_pairs_are_a_ratio_without_an_interval),
+        TEST(threads_are_those_of_the_environment),
     };
 #undef TEST
     return run_tests(tests);

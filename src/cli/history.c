@@ -215,9 +215,6 @@ static bool append(struct adding *adding, struct sb_error *err)
         measured->row[i].time = adding->time;
         measured->row[i].commit = adding->commit;
     }
-    if (sb_interrupted())
-        return sb_fail(err, SB_INTERRUPTED, "interrupted: nothing was appended to %s",
-                       adding->file);
     return sb_history_append(adding->file, measured->row, measured->row_count, err);
 }
 

@@ -42,28 +42,16 @@ static const char *hash_text(struct sb_arena *arena, uint64_t hash)
     return sb_arena_printf(arena, "%016llx", (unsigned long long)hash);
 }
 
-// How many threads draw, as far as the environment says: their levels differ.
+// How many threads a software driver draws with, whose levels depend on it. Other drivers do not
+// read the variable; which are which, not every context says.
 static const char *threads_text(struct sb_arena *arena, const struct sb_caps *caps)
 {
     const char *given = getenv("LP_NUM_THREADS");
-    if (!caps->software)
-        return NULL;
-    return given && *given
-               ? sb_arena_strdup(arena, given)
-               : sb_arena_printf(arena, "auto-%ld", sysconf(_SC_NPROCESSORS_ONLN));
-}
-
-static enum sb_status status_of(const struct sb_gate_pair *pair)
-{
-    const struct sb_task *task = &pair->task[SB_HEAD];
-    if (sb_status_rows[task->status].exit_code != 0)
-        return task->status;
-    if (task->untimed)
-        return SB_ACCURACY_ONLY;
-    return pair->count > 0       ? task->status
-           : sb_interrupted()    ? SB_INTERRUPTED
-           : pair->batch[0] == 0 ? SB_NOT_MEASURED
-                                 : SB_SAMPLES_INVALID;
+    if (given && *given)
+        return sb_arena_strdup(arena, given);
+    return caps->software
+               ? sb_arena_printf(arena, "auto-%ld", sysconf(_SC_NPROCESSORS_ONLN))
+               : NULL;
 }
 
 // --- one process ---------------------------------------------------------------------------------
@@ -72,7 +60,7 @@ struct variant {               // a plan entry over all processes
     struct sb_interval *ratio; // of each process, a frame of it over one of the anchor
     int processes;             // that have one
     int64_t pairs;
-    enum sb_status status; // the first that is a failure
+    enum sb_status status; // the first that is not OK
     const char *note;      // to that
 };
 
@@ -94,6 +82,20 @@ static struct sb_interval ratio_of(const struct sb_gate_pair *pair)
     return ratio;
 }
 
+// Where it is OK, there is a ratio: rows that are, and have none, would spoil the file.
+static enum sb_status status_of(const struct sb_gate_pair *pair,
+                                const struct sb_interval *ratio)
+{
+    const struct sb_task *task = &pair->task[SB_HEAD];
+    if (task->status != SB_OK)
+        return task->status;
+    if (task->untimed)
+        return SB_ACCURACY_ONLY;
+    if (pair->count == 0)
+        return SB_SAMPLES_INVALID;
+    return ratio->point > 0 && isfinite(ratio->point) ? SB_OK : SB_TOO_FEW_SAMPLES;
+}
+
 static void take(struct measuring *all, const struct sb_gate_session *session, int i)
 {
     const struct sb_gate_pair *pair = &session->pair[i];
@@ -101,19 +103,20 @@ static void take(struct measuring *all, const struct sb_gate_session *session, i
     struct variant *variant = &all->variant[i];
     struct sb_history_row *row = &all->measured->row[i];
     struct sb_arena *arena = &all->measured->arena;
-    const enum sb_status status = status_of(pair);
+    const struct sb_interval ratio = ratio_of(pair);
+    const enum sb_status status = status_of(pair, &ratio);
     if (anchor->loaded)
         row->anchor = hash_text(
             arena, sb_anchor_mark(all->params->anchor, anchor->prepared.input_hash));
     if (head->loaded)
         row->source_hash = hash_text(arena, head->assembly.source_hash);
-    if (sb_status_rows[variant->status].exit_code == 0 && status != SB_OK) {
+    if (variant->status == SB_OK && status != SB_OK) {
         variant->status = status;
         variant->note = sb_arena_strdup(arena, sb_text_get(&head->note));
     }
-    if (pair->count == 0)
+    if (status != SB_OK)
         return;
-    variant->ratio[variant->processes++] = ratio_of(pair);
+    variant->ratio[variant->processes++] = ratio;
     variant->pairs += pair->count;
 }
 
@@ -185,7 +188,7 @@ static void fill_row(struct measuring *all, int i)
     row->status = sb_status_rows[variant->status].word;
     row->processes = variant->processes;
     row->pairs = variant->pairs;
-    if (code == 0 && variant->processes > 0)
+    if (variant->status == SB_OK)
         set_ratio(variant, row);
     else
         sb_warn("%s %s: %s%s%s", row->scene, row->variant, row->status,
@@ -233,6 +236,8 @@ bool sb_history_measure(const struct sb_history_measure_params *params,
     }
     for (int p = 0; good && p < processes && !sb_interrupted(); p++)
         good = measure_process(&all, p, err);
+    if (good && sb_interrupted())
+        good = sb_fail(err, SB_INTERRUPTED, "interrupted: what was measured is not kept");
     for (int i = 0; good && i < count; i++)
         fill_row(&all, i);
     measured->row_count = good ? count : 0;

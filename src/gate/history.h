@@ -17,8 +17,8 @@ struct sb_history_measure_params {
 };
 
 struct sb_history_measured {
-    // A plan entry each; time and commit are the caller's to set. A variant that
-    // cannot be measured has a status and no ratio.
+    // A plan entry each; time and commit are the caller's to set. A variant that could not be
+    // measured in each of the processes has a status and no ratio.
     struct sb_history_row *row;
     int row_count;
     enum sb_metric metric; // that was used; never SB_METRIC_AUTO
@@ -28,7 +28,8 @@ struct sb_history_measured {
     struct sb_arena arena; // texts of rows
 };
 
-// False when nothing could be measured: no driver, no timer, or the anchor does not draw.
+// False when nothing could be measured: no driver, no timer, or the anchor does not draw; and when
+// a signal came, after which there are no rows.
 // *measured must be zeroed; free also after failure.
 bool sb_history_measure(const struct sb_history_measure_params *params,
                         struct sb_history_measured *measured, struct sb_error *err);
