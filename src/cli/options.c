@@ -170,11 +170,12 @@ static bool add_assignment(struct sb_assignments *list, const char *option,
                            const char *text, struct sb_arena *arena, struct sb_error *err)
 {
     const char *equals = strchr(text, '=');
+    const bool variable = strstr(option, "-env") != NULL;
     if (!equals || equals == text)
         return sb_fail(err, SB_USAGE,
-                       "--%s %s: NAME=VALUE in one word is wanted, such as --%s %s",
-                       option, text, option,
-                       strstr(option, "-env") ? "LP_NUM_THREADS=1" : "point=4");
+                       "--%s %s: %s=VALUE in one word is wanted, such as --%s %s", option,
+                       text, variable ? "NAME" : "AXIS", option,
+                       variable ? "LP_NUM_THREADS=1" : "point=4");
     if (list->count == SB_ASSIGNMENTS_MAX)
         return sb_fail(err, SB_USAGE, "--%s: more than %d of them", option,
                        SB_ASSIGNMENTS_MAX);
