@@ -108,6 +108,10 @@ static void nothing_is_measured_for_a_file_that_cannot_be_appended_to(void **sta
                  "other.csv:1: is not the header of a history");
     check_answer(ADD "--commit one --file @/none/h.csv", 2, "No such file");
     check_answer(ADD "--commit one --file @", 2, "Is a directory");
+    // Before: what could not be measured either is not asked.
+    check_answer(ADD "--commit one --timer elapsd --file @/other.csv", 2,
+                 "is not the header");
+    check_answer(ADD "--commit one --timer elapsd --file @/good.csv", 2, "unknown timer");
     char *text = read_file("other.csv");
     assert_string_equal(text, "a,b\n1,2\n");
     free(text);

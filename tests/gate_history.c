@@ -213,6 +213,7 @@ static void a_ratio_is_that_of_frames_whatever_the_batches(void **state)
         assert_null(row->threads); // no CPU draws, as far as is known
     }
     assert_int_equal(measured.exit_code, 0);
+    assert_string_not_equal(measured.row[0].source_hash, measured.row[1].source_hash);
     // 2 ms a batch each: five frames of the anchor and two of a variant, in turns.
     const int last = 2 * PAIRS * suite.entry_count;
     int firsts = 0;

@@ -277,9 +277,10 @@ static bool check_options(const struct sb_options *options, bool show,
             is_given(options, own_options[i].offset, own_options[i].size))
             return sb_fail(err, SB_USAGE, "--%s goes with history %s",
                            own_options[i].name, show ? "add" : "show");
-    const struct sb_assignments *const lists[] = {&options->set, &options->sweep,
-                                                  &options->cross, &options->setting};
-    for (size_t i = 0; show && i < sizeof lists / sizeof *lists; i++)
+    enum { LISTS = 4 };
+    const struct sb_assignments *const lists[LISTS] = {
+        &options->set, &options->sweep, &options->cross, &options->setting};
+    for (int i = 0; show && i < LISTS; i++)
         if (lists[i]->count)
             return sb_fail(err, SB_USAGE, "%s goes with history add",
                            lists[i]->item[0].origin);

@@ -11,10 +11,16 @@
 #include "results/csv.h"
 
 struct wide {
-    const struct sb_history_series **column; // those that go with the last row
+    const struct sb_history_series *series; // of the analysis
+    int *column;                            // places of those that go with the last row
     int count;
     bool scenes; // more than one
 };
+
+static const struct sb_history_series *series_of(const struct wide *wide, int column)
+{
+    return &wide->series[wide->column[column]];
+}
 
 static const struct sb_history_point *find_point(const struct sb_history_series *series,
                                                  const char *commit)
@@ -27,16 +33,18 @@ static const struct sb_history_point *find_point(const struct sb_history_series 
 
 static void choose(const struct sb_history_analysis *analysis, struct wide *wide)
 {
-    const struct sb_history_row *last = NULL;
-    for (int i = 0; i < analysis->count; i++)
-        if (!last || analysis->series[i].like > last) // rows of one array, in its order
-            last = analysis->series[i].like;
+    const struct sb_history_series *series = analysis->series;
+    int last = 0;
+    for (int i = 1; i < analysis->count; i++)
+        if (series[i].like > series[last].like) // rows of one array, in its order
+            last = i;
     for (int i = 0; i < analysis->count; i++) {
-        const struct sb_history_series *series = &analysis->series[i];
-        if (!sb_history_together(series->like, last) || series->point_count == 0)
+        if (!sb_history_together(series[i].like, series[last].like) ||
+            series[i].point_count == 0)
             continue;
-        wide->column[wide->count++] = series;
-        wide->scenes |= strcmp(series->like->scene, wide->column[0]->like->scene) != 0;
+        wide->column[wide->count++] = i;
+        wide->scenes |=
+            strcmp(series[i].like->scene, series_of(wide, 0)->like->scene) != 0;
     }
 }
 
@@ -45,7 +53,7 @@ static void add_header(const struct wide *wide, struct sb_text *text)
     struct sb_text name = {0};
     sb_text_add(text, "time,commit");
     for (int c = 0; c < wide->count; c++) {
-        const struct sb_history_row *like = wide->column[c]->like;
+        const struct sb_history_row *like = series_of(wide, c)->like;
         sb_text_clear(&name);
         sb_text_printf(&name, "%s%s%s", wide->scenes ? like->scene : "",
                        wide->scenes ? "/" : "", like->variant);
@@ -65,7 +73,7 @@ static bool add_line(const struct wide *wide, const struct sb_history_point *com
     sb_csv_field(text, commit->commit);
     for (int c = 0; c < wide->count; c++) {
         const struct sb_history_point *point =
-            find_point(wide->column[c], commit->commit);
+            find_point(series_of(wide, c), commit->commit);
         if (!point) {
             text->length = before;
             text->data[before] = '\0';
@@ -81,7 +89,7 @@ static bool add_line(const struct wide *wide, const struct sb_history_point *com
 static bool in_earlier(const struct wide *wide, int column, const char *commit)
 {
     for (int c = 0; c < column; c++)
-        if (find_point(wide->column[c], commit))
+        if (find_point(series_of(wide, c), commit))
             return true;
     return false;
 }
@@ -89,15 +97,18 @@ static bool in_earlier(const struct wide *wide, int column, const char *commit)
 void sb_history_print_wide(const struct sb_history_analysis *analysis)
 {
     struct sb_text text = {0};
-    struct wide wide = {
-        .column = sb_alloc(((size_t)analysis->count + 1) * sizeof *wide.column)};
+    struct wide wide = {.series = analysis->series};
     int left_out = 0;
+    wide.column = sb_alloc(((size_t)analysis->count + 1) * sizeof *wide.column);
     choose(analysis, &wide);
     add_header(&wide, &text);
-    for (int c = 0; c < wide.count; c++) // whole lines are all found in the first column
-        for (int i = 0; i < wide.column[c]->point_count; i++)
-            if (!in_earlier(&wide, c, wide.column[c]->point[i].commit))
-                left_out += !add_line(&wide, &wide.column[c]->point[i], &text);
+    for (int c = 0; c < wide.count;
+         c++) { // whole lines are all found in the first column
+        const struct sb_history_series *series = series_of(&wide, c);
+        for (int i = 0; i < series->point_count; i++)
+            if (!in_earlier(&wide, c, series->point[i].commit))
+                left_out += !add_line(&wide, &series->point[i], &text);
+    }
     fputs(text.data, stdout);
     if (wide.count < analysis->count)
         sb_warn("%d series of another driver, metric or anchor than the last row's are "
