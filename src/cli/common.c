@@ -170,6 +170,15 @@ bool sb_cli_driver_params(const struct sb_options *options, const struct sb_suit
     return true;
 }
 
+bool sb_cli_pin_threads(const struct sb_suite *suite)
+{
+    const int axis = sb_axes_find(&suite->axes, "threads");
+    if (getenv("LP_NUM_THREADS") ||
+        (axis >= 0 && suite->entry[0].variant.value[axis] >= 0))
+        return false;
+    return setenv("LP_NUM_THREADS", "1", 1) == 0;
+}
+
 bool sb_cli_read_share(const char *option, const char *text, double *share,
                        struct sb_error *err)
 {

@@ -135,17 +135,6 @@ static const char *describe(const struct sides *sides, const struct sb_options *
     return said;
 }
 
-// Two raster threads may share a core for a while or not: with one the level of a software
-// driver stands still (docs/method.md). Whoever has set a number keeps it.
-static bool pin_threads(const struct sb_suite *suite)
-{
-    const int axis = sb_axes_find(&suite->axes, "threads");
-    if (getenv("LP_NUM_THREADS") ||
-        (axis >= 0 && suite->entry[0].variant.value[axis] >= 0))
-        return false;
-    return setenv("LP_NUM_THREADS", "1", 1) == 0;
-}
-
 static bool find_drivers(struct sides *sides, const struct sb_options *options,
                          struct sb_arena *arena, struct sb_error *err)
 {
@@ -172,7 +161,7 @@ static bool find_drivers(struct sides *sides, const struct sb_options *options,
     if (!sb_metric_find(options->metric, &sides->params.metric, err))
         return false;
     sides->pinned = sides->params.metric != SB_METRIC_INSTRUCTIONS &&
-                    pin_threads(&sides->suite[SB_BASE]);
+                    sb_cli_pin_threads(&sides->suite[SB_BASE]);
     return true;
 }
 

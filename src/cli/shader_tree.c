@@ -97,3 +97,25 @@ const char *sb_shader_tree(const char *word, const char *of, const char *dir,
         root = top;
     return unpack(root, tree, into, arena, err) ? into : NULL;
 }
+
+const char *sb_shader_commit(const char *of, struct sb_arena *arena, struct sb_error *err)
+{
+    char commit[128], changed[128];
+    if (!run(
+            (const char *const[]){"git", "-C", of, "rev-parse", "--verify", "HEAD", NULL},
+            commit, sizeof commit)) {
+        sb_fail(err, SB_USAGE,
+                "--commit ID: which commit is measured? %s lies in no git repository",
+                of);
+        return NULL;
+    }
+    if (!run((const char *const[]){"git", "-C", of, "status", "--porcelain", ".", NULL},
+             changed, sizeof changed) ||
+        changed[0]) {
+        sb_fail(err, SB_USAGE,
+                "--commit ID: what is measured? %s is not what commit %.12s has", of,
+                commit);
+        return NULL;
+    }
+    return sb_arena_strdup(arena, commit);
+}

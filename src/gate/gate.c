@@ -62,14 +62,14 @@ static double median_frame(const struct sb_gate_pair *pair, int side)
     sb_sort_doubles(sorted, pair->count);
     const double median = sb_median(sorted, pair->count);
     free(sorted);
-    return median / pair->batch;
+    return median / pair->batch[side];
 }
 
 static void fill_values(const struct sb_gate_pair *pair, enum sb_metric metric,
                         struct sb_gate_row *row)
 {
     const struct sb_gate_reading *reading = &pair->reading;
-    row->batch = pair->batch;
+    row->batch = pair->batch[SB_HEAD];
     row->pairs = pair->count;
     row->ratio = reading->ratio.point;
     row->ratio_lo = reading->ratio.lo;
@@ -83,8 +83,8 @@ static void fill_values(const struct sb_gate_pair *pair, enum sb_metric metric,
     row->ties = reading->ties;
     if (metric == SB_METRIC_INSTRUCTIONS) {
         row->repeatability = pair->counts.repeatability;
-        row->base_instructions = pair->counts.base / pair->batch;
-        row->head_instructions = pair->counts.head / pair->batch;
+        row->base_instructions = pair->counts.base / pair->batch[SB_BASE];
+        row->head_instructions = pair->counts.head / pair->batch[SB_HEAD];
     } else {
         row->base_ms = median_frame(pair, SB_BASE) * 1e-6;
         row->head_ms = median_frame(pair, SB_HEAD) * 1e-6;

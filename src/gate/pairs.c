@@ -53,26 +53,41 @@ static bool least(struct sb_gate_session *session, const struct sb_gate_pair *pa
                                     "no batch of %d frames has a valid time", frames);
 }
 
-// The fewest frames for which both sides take batch_ms, unless one then takes too long.
-static bool calibrate(struct sb_gate_session *session, struct sb_gate_pair *pair,
-                      struct sb_error *err)
+// The fewest frames for which sides [from, to) all take batch_ms, unless one then takes too long.
+static bool calibrate_sides(struct sb_gate_session *session, struct sb_gate_pair *pair,
+                            int from, int to, struct sb_error *err)
 {
     const struct sb_measure_settings *settings = session->params->settings;
     const double wanted = settings->batch_ms * 1e6;
-    pair->batch = settings->batch > 0 ? (int)settings->batch : 1;
+    int batch = settings->batch > 0 ? (int)settings->batch : 1;
     for (int step = 0; step < 16 && settings->batch <= 0; step++) {
-        double ns[SB_SIDES];
-        for (int side = 0; side < SB_SIDES; side++)
-            if (!least(session, pair, side, pair->batch, &ns[side], err))
+        double shorter = INFINITY, longer = 0;
+        for (int side = from; side < to; side++) {
+            double ns;
+            if (!least(session, pair, side, batch, &ns, err))
                 return false;
-        const double shorter = fmin(ns[SB_BASE], ns[SB_HEAD]);
-        const double longer = fmax(ns[SB_BASE], ns[SB_HEAD]);
-        if (shorter >= wanted || longer >= LONGEST_NS || pair->batch >= BATCH_MAX)
+            shorter = fmin(shorter, ns);
+            longer = fmax(longer, ns);
+        }
+        if (shorter >= wanted || longer >= LONGEST_NS || batch >= BATCH_MAX)
             break;
         const double factor =
             fmin(fmin(fmax(wanted / shorter, 1.1), 10), fmax(LONGEST_NS / longer, 1.1));
-        pair->batch = (int)fmin(ceil(pair->batch * factor), BATCH_MAX);
+        batch = (int)fmin(ceil(batch * factor), BATCH_MAX);
     }
+    for (int side = from; side < to; side++)
+        pair->batch[side] = batch;
+    return true;
+}
+
+static bool calibrate(struct sb_gate_session *session, struct sb_gate_pair *pair,
+                      struct sb_error *err)
+{
+    if (!session->params->own_batches)
+        return calibrate_sides(session, pair, 0, SB_SIDES, err);
+    for (int side = 0; side < SB_SIDES; side++)
+        if (!calibrate_sides(session, pair, side, side + 1, err))
+            return false;
     return true;
 }
 
@@ -102,7 +117,7 @@ bool sb_gate_pair_shoot(struct sb_gate_session *session, const struct sb_gate_pa
     struct sb_shot shot[SB_SIDES];
     struct sb_sample got[SB_SIDES] = {{0}};
     for (int i = 0; i < SB_SIDES; i++)
-        shot[i] = shot_of(pair, order[i], pair->batch);
+        shot[i] = shot_of(pair, order[i], pair->batch[order[i]]);
     bool good = true;
     if (!session->params->apart) {
         const struct sb_driver *driver = &session->driver[SB_BASE];
@@ -181,7 +196,7 @@ void sb_gate_pair_row(const struct sb_gate_session *session,
         .scene = pair->task[SB_HEAD].entry->scene,
         .variant = pair->task[SB_HEAD].entry->id,
         .first = sb_side_names[first],
-        .batch = pair->batch,
+        .batch = pair->batch[SB_HEAD],
         .metric = sb_metric_rows[session->metric].name,
         .base = value[SB_BASE],
         .head = value[SB_HEAD],
@@ -265,7 +280,7 @@ static bool loop(struct sb_gate_rounds *rounds, int *active, int *order,
         sb_schedule_order((uint64_t)session->params->settings->seed, count, round, order);
         for (int i = 0; i < count; i++)
             measure_pair(rounds, active[order[i]], round, row, &rows);
-        if (!sb_row_file_add(rounds->file, row, rows, sizeof *row, err))
+        if (rounds->file && !sb_row_file_add(rounds->file, row, rows, sizeof *row, err))
             return false;
         for (int i = 0; i < count; i++)
             if (session->pair[active[i]].active)
