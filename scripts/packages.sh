@@ -3,8 +3,9 @@
 
 packages_build="gcc g++ libc6-dev cmake ninja-build pkg-config libyaml-dev libjansson-dev
     libpng-dev glslang-dev libspirv-cross-c-shared-dev python3-glad libegl-dev libosmesa6-dev
-    libglfw3-dev"
-packages_run="libegl1 libgl1-mesa-dri libosmesa6 libglfw3 mesa-vulkan-drivers glslang-tools"
+    libglfw3-dev valgrind"
+packages_run="libegl1 libgl1-mesa-dri libosmesa6 libglfw3 mesa-vulkan-drivers glslang-tools
+    valgrind"
 packages_test="libcmocka-dev libmpfr-dev clang-format clang-tidy xvfb xauth
     libxml2-utils libbenchmark-tools"
 

@@ -318,6 +318,49 @@ static void a_command_that_is_no_worker_is_told(void **state)
     assert_int_equal(err.status, SB_WORKER_GARBAGE);
 }
 
+static void instructions_come_where_they_were_asked_for(void **state)
+{
+    (void)state;
+    struct world world = {0};
+    struct sb_error err = {0};
+    for (int count = 0; count < 2; count++) {
+        struct sb_prepared prepared;
+        struct sb_sample sample[2];
+        const struct sb_shot shot[2] = {{.job = 1, .frames = 1, .shrink = 1},
+                                        {.job = 1, .frames = 3, .shrink = 1}};
+        start(&world, "none", false);
+        fns->close(world.runner);
+        world.params.count = count;
+        world.runner = fns->open(&world.params, &world.caps, &err);
+        assert_string_equal(world.caps.counter, count ? "made up" : "");
+        assert_true(fns->prepare(world.runner, &world.job[0], &prepared));
+        assert_true(fns->round(world.runner, shot, 2, sample, &err));
+        if (count)
+            assert_int_equal(3 * sample[0].instructions, sample[1].instructions);
+        assert_int_equal(sample[0].instructions > 0, count);
+        assert_int_equal(sample[0].instructions == SB_NO_TIME, !count);
+        end(&world);
+    }
+}
+
+static void a_worker_that_cannot_count_without_valgrind_says_so(void **state)
+{
+    (void)state;
+    struct world world = {0};
+    struct sb_error err = {0};
+    char *path = strdup(getenv("PATH"));
+    describe(&world, "none", false);
+    world.params.count = world.params.callgrind = true;
+    setenv("PATH", "/nowhere", 1);
+    assert_null(fns->open(&world.params, &world.caps, &err));
+    setenv("PATH", path, 1);
+    free(path);
+    assert_int_equal(err.status, SB_BAD_INPUT);
+    check_contains(err.text, "valgrind is missing");
+    sb_text_free(&world.fault);
+    sb_text_free(&world.marker);
+}
+
 static void the_environment_reaches_the_worker_and_nobody_else(void **state)
 {
     (void)state;
@@ -369,6 +412,8 @@ int main(void)
         cmocka_unit_test(a_fault_in_a_picture_is_tried_again_once),
         cmocka_unit_test(a_driver_that_dies_when_opened_is_told),
         cmocka_unit_test(a_command_that_is_no_worker_is_told),
+        cmocka_unit_test(instructions_come_where_they_were_asked_for),
+        cmocka_unit_test(a_worker_that_cannot_count_without_valgrind_says_so),
         cmocka_unit_test(the_environment_reaches_the_worker_and_nobody_else),
         cmocka_unit_test(a_worker_does_not_outlive_its_parent),
     };

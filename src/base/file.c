@@ -155,6 +155,43 @@ char **sb_dir_list(struct sb_arena *arena, const char *path, const char *suffix,
     return result;
 }
 
+char *sb_temporary_dir(struct sb_arena *arena, const char *prefix, struct sb_error *err)
+{
+    const char *place = getenv("TMPDIR");
+    if (!place || !place[0])
+        place = "/tmp";
+    char *path = sb_arena_printf(arena, "%s/%s-XXXXXX", place, prefix);
+    if (mkdtemp(path))
+        return path;
+    sb_fail(err, SB_WRITE_FAILED, "no temporary folder can be made in %s: %s", place,
+            strerror(errno));
+    return NULL;
+}
+
+void sb_dir_remove(const char *path)
+{
+    struct sb_arena arena = {0};
+    int count = 0;
+    char **name = sb_dir_list(&arena, path, "", &count, NULL);
+    for (int i = 0; name && i < count; i++)
+        unlink(
+            sb_path_join(&arena, path, name[i])); // fails for "." and "..", as it should
+    rmdir(path);
+    sb_arena_free(&arena);
+}
+
+bool sb_in_path(const char *program)
+{
+    struct sb_arena arena = {0};
+    const char *path = getenv("PATH");
+    char *rest = sb_arena_strdup(&arena, path ? path : ""), *folder;
+    bool found = false;
+    while (!found && (folder = strtok_r(rest, ":", &rest)))
+        found = access(sb_path_join(&arena, folder, program), X_OK) == 0;
+    sb_arena_free(&arena);
+    return found;
+}
+
 char *sb_path_join(struct sb_arena *arena, const char *folder, const char *name)
 {
     if (name[0] == '/' || !folder[0])

@@ -29,6 +29,14 @@ bool sb_dir_make(const char *path, struct sb_error *err); // with parents, like 
 char **sb_dir_list(struct sb_arena *arena, const char *path, const char *suffix,
                    int *count, struct sb_error *err);
 
+// A new folder of this process's own, in $TMPDIR or /tmp; its name starts with `prefix`.
+char *sb_temporary_dir(struct sb_arena *arena, const char *prefix, struct sb_error *err);
+// Removes a folder and the files in it, as far as it can; not the folders in it.
+void sb_dir_remove(const char *path);
+
+// Is there a program of that name in $PATH?
+bool sb_in_path(const char *program);
+
 char *sb_path_join(struct sb_arena *arena, const char *folder, const char *name);
 
 // Where shaders/ and bench/ lie: `given` (--data) if not NULL, else $SHADEBENCH_DATA, else

@@ -158,7 +158,10 @@ static bool find_drivers(struct sides *sides, const struct sb_options *options,
         return sb_fail(err, SB_BAD_INPUT,
                        "base and head have different platform axes; of those, "
                        "--base-env and --head-env can differ");
-    sides->pinned = sb_cli_pin_threads(&sides->suite[SB_BASE]);
+    if (!sb_metric_find(options->metric, &sides->params.metric, err))
+        return false;
+    sides->pinned = sides->params.metric != SB_METRIC_INSTRUCTIONS &&
+                    sb_cli_pin_threads(&sides->suite[SB_BASE]);
     return true;
 }
 
@@ -167,9 +170,9 @@ static bool fill_params(struct sides *sides, const struct sb_options *options,
 {
     struct sb_gate_params *params = &sides->params;
     params->rule = sb_gate_rule_default(1);
-    if ((options->tolerance && !sb_cli_read_share("--tolerance", options->tolerance,
-                                                  &params->rule.tolerance, err)) ||
-        !sb_metric_find(options->metric, &params->metric, err))
+    params->rule.tolerance = sb_metric_rows[params->metric].tolerance;
+    if (options->tolerance && !sb_cli_read_share("--tolerance", options->tolerance,
+                                                 &params->rule.tolerance, err))
         return false;
     for (int side = 0; side < SB_SIDES; side++)
         params->side[side].suite = &sides->suite[side];

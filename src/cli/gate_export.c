@@ -83,7 +83,7 @@ static void fill_side(const struct sb_gate_shown *shown, int i, enum sb_side sid
     };
     if (strcmp(row->status, "ok") != 0)
         to->status = row->status;
-    if (count > 0) {
+    if (count > 0 && shown->result->metric != SB_METRIC_INSTRUCTIONS) {
         to->sample_ns = per_frame(sb_gate_values(shown->result, i, side), count,
                                   (int)row->batch, arena);
         to->sample_count = count;

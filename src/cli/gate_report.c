@@ -9,6 +9,7 @@
 #include "cli/keys.h"
 #include "cli/report.h"
 #include "cli/table.h"
+#include "stats/counts.h"
 
 // What a reader must see first.
 static int rank(const struct sb_gate_row *row)
@@ -23,6 +24,19 @@ static int rank(const struct sb_gate_row *row)
         if (order[i] == verdict)
             return i;
     return SB_GATE_VERDICT_COUNT; // skipped: counted, not shown
+}
+
+// Instructions: what they are of, and what they say nothing of.
+static void print_counting(const struct sb_gate_result *result)
+{
+    const struct sb_gate_counting *counting = &result->counting;
+    printf("rule: tolerance %.3g %% over %d variants; %d counts of one frame a side, "
+           "more where these do not agree, "
+           "candidates counted again in a fresh process\n",
+           100 * result->rule.tolerance, result->rule.variants, SB_COUNTS_REPEATS);
+    if (counting->other_code[0])
+        printf("%s\n", counting->other_code);
+    printf("\n");
 }
 
 static void print_head(const struct sb_gate_shown *shown)
@@ -42,6 +56,10 @@ static void print_head(const struct sb_gate_shown *shown)
            result->caps[SB_BASE].software
                ? "; ratios are those of a CPU driver, not of a GPU"
                : "");
+    if (result->metric == SB_METRIC_INSTRUCTIONS) {
+        print_counting(result);
+        return;
+    }
     printf("rule: tolerance %.3g %%, alpha %.3g %% over %d timed variants, looks at %d "
            "to %d "
            "pairs, candidates confirmed by %d pairs in a fresh process\n\n",
@@ -71,12 +89,16 @@ static void names_make(struct names *names, const struct sb_suite *suite)
 static void print_row(struct sb_table *table, const struct names *names, int i,
                       const struct sb_gate_row *row)
 {
+    const bool counts = isfinite(row->base_instructions);
     sb_keys_cells(&names->keys, table, &names->row[i]);
-    sb_table_real(table, "%.4g", row->base_ms);
-    sb_table_real(table, "%.4g", row->head_ms);
-    sb_table_real(table, "%.4f", row->ratio);
+    sb_table_real(table, counts ? "%.0f" : "%.4g",
+                  counts ? row->base_instructions : row->base_ms);
+    sb_table_real(table, counts ? "%.0f" : "%.4g",
+                  counts ? row->head_instructions : row->head_ms);
+    sb_table_real(table, counts ? "%.5f" : "%.4f", row->ratio);
     if (isfinite(row->ratio_lo) && isfinite(row->ratio_hi))
-        sb_table_cellf(table, "%.4f … %.4f", row->ratio_lo, row->ratio_hi);
+        sb_table_cellf(table, counts ? "%.5f … %.5f" : "%.4f … %.4f", row->ratio_lo,
+                       row->ratio_hi);
     else
         sb_table_cell(table, NULL);
     if (row->pairs != SB_NO_COUNT)
@@ -93,7 +115,10 @@ static void print_table(const struct sb_gate_result *result, const struct sb_sui
     struct sb_table *table = sb_table_new();
     struct names names;
     int shown = 0;
-    static const char *const right[] = {"base ms", "head ms", "ratio", "95 %", "pairs"};
+    const bool counts = result->metric == SB_METRIC_INSTRUCTIONS;
+    const char *const right[] = {counts ? "base instr." : "base ms",
+                                 counts ? "head instr." : "head ms", "ratio",
+                                 counts ? "range" : "95 %", counts ? "counts" : "pairs"};
     names_make(&names, suite);
     sb_keys_columns(&names.keys, table);
     for (int i = 0; i < 5; i++)
@@ -120,9 +145,12 @@ static void print_notes(const struct sb_gate_result *result)
         const struct sb_gate_row *row = &result->row[i];
         const char *verdict = row->verdict ? row->verdict : "self-test";
         if (isfinite(row->confirm_ratio))
-            printf("%s: %s %s: ratio %.4f here, %.4f in a fresh process (p %.2g)\n",
-                   verdict, row->scene, row->variant, row->ratio, row->confirm_ratio,
-                   row->confirm_p);
+            printf("%s: %s %s: ratio %.4f here, %.4f in a fresh process", verdict,
+                   row->scene, row->variant, row->ratio, row->confirm_ratio);
+        if (isfinite(row->confirm_p))
+            printf(" (p %.2g)", row->confirm_p);
+        if (isfinite(row->confirm_ratio))
+            printf("\n");
         if (row->note && sb_gate_verdict_find(verdict) != SB_GATE_SKIPPED)
             printf("%s: %s %s: %s\n",
                    strcmp(row->status, "ok") == 0 ? verdict : row->status, row->scene,
@@ -153,6 +181,17 @@ static void print_bias(const struct sb_gate_shown *shown)
                100 * tolerance, ceil(20 * 100 * bias->bias) / 10);
 }
 
+static void print_repeatability(const struct sb_gate_counting *counting)
+{
+    printf("repeatability: counts of one frame differed by at most %.2g %%",
+           100 * counting->repeatability);
+    if (counting->apart > 0)
+        printf(", but for %d of %d that stood apart, by up to %+.2g %%: what the driver "
+               "does once in many frames is no part of one",
+               counting->apart, counting->counts, 100 * counting->farthest);
+    printf("\n");
+}
+
 static void print_foot(const struct sb_gate_shown *shown)
 {
     const struct sb_gate_result *result = shown->result;
@@ -171,6 +210,9 @@ static void print_foot(const struct sb_gate_shown *shown)
             "time\n");
     if (shown->cases_lost >= 0)
         printf("hard cases: %d that base passes and head does not\n", shown->cases_lost);
+    if (isfinite(result->counting.repeatability) &&
+        result->metric == SB_METRIC_INSTRUCTIONS)
+        print_repeatability(&result->counting);
     if (isfinite(result->median_mde))
         printf(
             "least slowdown that is found in nine of ten gates: %.2g %% (median over the "

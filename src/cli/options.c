@@ -88,7 +88,7 @@ static const struct option options_table[] = {
     {"head-set", 0,   "AXIS=VALUE", GATE,             ASSIGNMENT, AT(head_set), "and head's"},
     {"base-env", 0,   "NAME=VALUE", GATE,             ASSIGNMENT, AT(base_env), "two environments: set a variable for base's process; may be repeated"},
     {"head-env", 0,   "NAME=VALUE", GATE,             ASSIGNMENT, AT(head_env), "and for head's"},
-    {"tolerance",0,   "SHARE",      GATE,             TEXT,       AT(tolerance),"what head may cost more, as 2% or 0.02 [2%]"},
+    {"tolerance",0,   "SHARE",      GATE,             TEXT,       AT(tolerance),"what head may cost more, as 2% or 0.02 [2%; of instructions 0.5%]"},
     {"metric",   0,   "NAME",       GATE|HISTORY,     TEXT,       AT(metric),   "what is measured (shadebench list metrics); default: cpu where a CPU draws, else gpu"},
     {"selftest", 0,   NULL,         GATE,             FLAG,       AT(selftest), "hold base against itself, renamed: how much does this machine favour one of two equal programs? Exit code 3: more than half the tolerance"},
     {"keep-equal", 0, NULL,         GATE,             FLAG,       AT(keep_equal), "time variants whose final sources are equal, too: a gate that must not alarm"},

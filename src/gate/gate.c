@@ -55,17 +55,18 @@ static const char *hash_text(struct sb_arena *arena, uint64_t hash)
     return sb_arena_printf(arena, "%016llx", (unsigned long long)hash);
 }
 
-static double median_ms(const struct sb_gate_pair *pair, int side)
+static double median_frame(const struct sb_gate_pair *pair, int side)
 {
     double *sorted = sb_alloc(((size_t)pair->count + 1) * sizeof *sorted);
     memcpy(sorted, pair->value[side], (size_t)pair->count * sizeof *sorted);
     sb_sort_doubles(sorted, pair->count);
     const double median = sb_median(sorted, pair->count);
     free(sorted);
-    return median / pair->batch[side] * 1e-6;
+    return median / pair->batch[side];
 }
 
-static void fill_times(const struct sb_gate_pair *pair, struct sb_gate_row *row)
+static void fill_values(const struct sb_gate_pair *pair, enum sb_metric metric,
+                        struct sb_gate_row *row)
 {
     const struct sb_gate_reading *reading = &pair->reading;
     row->batch = pair->batch[SB_HEAD];
@@ -80,8 +81,14 @@ static void fill_times(const struct sb_gate_pair *pair, struct sb_gate_row *row)
     row->mde = reading->mde;
     row->autocorrelation = reading->autocorrelation;
     row->ties = reading->ties;
-    row->base_ms = median_ms(pair, SB_BASE);
-    row->head_ms = median_ms(pair, SB_HEAD);
+    if (metric == SB_METRIC_INSTRUCTIONS) {
+        row->repeatability = pair->counts.repeatability;
+        row->base_instructions = pair->counts.base / pair->batch[SB_BASE];
+        row->head_instructions = pair->counts.head / pair->batch[SB_HEAD];
+    } else {
+        row->base_ms = median_frame(pair, SB_BASE) * 1e-6;
+        row->head_ms = median_frame(pair, SB_HEAD) * 1e-6;
+    }
 }
 
 static const char *note_of(struct sb_gate_state *gate, const struct sb_gate_pair *pair)
@@ -128,7 +135,7 @@ static void fill_row(struct sb_gate_state *gate, int i)
     row->metric = sb_metric_rows[gate->session.metric].name;
     row->tolerance = gate->params.rule.tolerance;
     if (pair->count > 0)
-        fill_times(pair, row);
+        fill_values(pair, gate->session.metric, row);
     row->confirm_ratio = earlier.confirm_ratio;
     row->confirm_p = earlier.confirm_p;
     if (base->accuracy.known && head->accuracy.known) {
@@ -260,7 +267,7 @@ static void conclude(struct sb_gate_state *gate, struct sb_gate_result *result)
         if (verdict == SB_GATE_REGRESSION && !gate->params.selftest)
             code = sb_exit_code_worse(code, sb_status_rows[SB_WORSE_PICTURE].exit_code);
         result->exit_code = sb_exit_code_worse(result->exit_code, code);
-        if (pair->count > 0)
+        if (pair->count > 0 && !isnan(pair->reading.mde))
             mde[timed++] = pair->reading.mde;
     }
     sb_sort_doubles(mde, timed);
@@ -283,6 +290,10 @@ static void judge_bias(struct sb_gate_state *gate, struct sb_gate_result *result
         count += session->pair[i].count > 0;
     for (int i = 0; i < session->pair_count; i++) {
         const struct sb_gate_pair *pair = &session->pair[i];
+        if (session->metric == SB_METRIC_INSTRUCTIONS && pair->count > 0) {
+            ratio[i] = pair->reading.ratio;
+            continue;
+        }
         double *scratch = sb_alloc(((size_t)pair->count + 1) * sizeof *scratch);
         ratio[i] = sb_paired_ratio(pair->value[SB_BASE], pair->value[SB_HEAD],
                                    pair->count, 1 - 0.05 / fmax(count, 1), scratch);
@@ -305,20 +316,28 @@ static bool compare(struct sb_gate_state *gate, struct sb_gate_result *result,
         return false;
     result->metric = session->metric;
     const struct sb_driver *driver = &session->driver[SB_BASE];
-    result->timer = sb_metric_rows[session->metric].source
-                        ? sb_metric_rows[session->metric].source
-                        : driver->audit.source[driver->timer].name;
+    const bool counts = session->metric == SB_METRIC_INSTRUCTIONS;
+    result->timer = sb_metric_rows[session->metric].source;
+    if (!result->timer && !counts)
+        result->timer = driver->audit.source[driver->timer].name;
     for (int side = 0; side < SB_SIDES; side++)
         result->caps[side] = session->driver[side].caps;
+    if (counts && !sb_gate_counts_open(gate, result, err))
+        return false;
     prepare_all(session);
     sb_progress("comparing the pictures");
     sb_gate_pictures(session);
-    if (!sb_gate_make_ready(session, err))
+    for (int i = 0; i < session->pair_count; i++)
+        session->pair[i].active = sb_gate_pair_timed(&session->pair[i]);
+    if (!counts && !sb_gate_make_ready(session, err))
         return false;
     gate->params.rule.variants = count_timed(session) > 0 ? count_timed(session) : 1;
     result->rule = gate->params.rule;
     if (!sb_gate_record(gate, result, false, err) || !write_rows(gate, err))
         return false;
+    if (counts)
+        return sb_gate_counts_run(gate, result, err) &&
+               (params->selftest || sb_gate_counts_confirm(gate, err));
     struct sb_gate_rounds rounds = {
         .session = session,
         .rule = &gate->params.rule,
@@ -377,6 +396,7 @@ void sb_gate_result_free(struct sb_gate_result *result)
 {
     struct sb_gate_state *gate = result->state;
     if (gate) {
+        sb_gate_session_close(&gate->counting);
         sb_gate_session_close(&gate->session);
         sb_row_file_close(&gate->pairs);
         sb_row_file_close(&gate->summary);

@@ -43,6 +43,21 @@ struct sb_gate_params {
     const json_t *arguments; // of the command line, for gate.json; borrowed
 };
 
+struct sb_gate_counting {          // metric instructions
+    struct sb_caps caps[SB_SIDES]; // of the processes that count
+    char other_code[600];          // sb_gate_other_code
+    double repeatability; // of the variant that repeats worst (stats/counts.h); NAN: none
+    int counts;           // of both sides of all variants, and …
+    int apart;            // … how many stand apart from those they should repeat, …
+    double farthest;      // … the farthest by so much
+};
+
+// In words, what of the code that a JIT makes may differ between a process that is timed and one
+// whose instructions are counted: "the code counted is not the code timed: callgrind hides avx512f";
+// empty where nothing of it is known.
+void sb_gate_other_code(const struct sb_caps *timed, const struct sb_caps *counted,
+                        char *words, size_t size);
+
 struct sb_gate_result {
     struct sb_gate_row *row; // one a plan entry
     int row_count;
@@ -50,6 +65,7 @@ struct sb_gate_result {
     enum sb_metric metric;            // that was used; never SB_METRIC_AUTO
     struct sb_gate_rule rule;
     struct sb_gate_bias bias; // selftest
+    struct sb_gate_counting counting;
     struct sb_caps caps[SB_SIDES];
     const char *timer; // the metric's source: that of GL, or the clock
     double seconds;    // all of it

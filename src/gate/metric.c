@@ -6,12 +6,17 @@
 
 const struct sb_metric_row sb_metric_rows[SB_METRIC_COUNT] = {
     [SB_METRIC_AUTO] = {"auto", "cpu where the context says that a CPU draws, else gpu",
-                        NULL, "ns"},
+                        NULL, "ns", 0.02},
     [SB_METRIC_CPU] = {"cpu", "CPU time of the process that draws, all threads",
-                       "process CPU clock", "ns"},
-    [SB_METRIC_GPU] = {"gpu", "the GL timer that passes its audit", NULL, "ns"},
+                       "process CPU clock", "ns", 0.02},
+    [SB_METRIC_GPU] = {"gpu", "the GL timer that passes its audit", NULL, "ns", 0.02},
     [SB_METRIC_WALL] = {"wall", "the monotonic clock around a drained batch",
-                        "monotonic clock", "ns"},
+                        "monotonic clock", "ns", 0.02},
+    [SB_METRIC_INSTRUCTIONS] =
+        {"instructions",
+         "of one frame, counted by the kernel or by valgrind's callgrind, hardly varies: "
+         "a second opinion on a CPU driver, which says nothing of a GPU",
+         NULL, "instructions", 0.005},
 };
 
 bool sb_metric_find(const char *name, enum sb_metric *metric, struct sb_error *err)
@@ -37,6 +42,8 @@ int64_t sb_metric_value(enum sb_metric metric, const struct sb_sample *sample)
         return sample->cpu_ns;
     case SB_METRIC_WALL:
         return sample->wall_ns;
+    case SB_METRIC_INSTRUCTIONS:
+        return sample->instructions == SB_NO_TIME ? 0 : sample->instructions;
     default: // a timer source that reads no query is the wall clock
         return sample->gpu_ns == SB_NO_TIME ? sample->wall_ns : sample->gpu_ns;
     }

@@ -17,7 +17,7 @@ static struct sb_shot shot_of(const struct sb_gate_pair *pair, int side, int fra
         .job = pair->task[side].assembly.job.id, .frames = frames, .shrink = 1};
 }
 
-static bool is_timed(const struct sb_gate_pair *pair)
+bool sb_gate_pair_timed(const struct sb_gate_pair *pair)
 {
     return pair->timed && sb_task_timed(&pair->task[SB_BASE]) &&
            sb_task_timed(&pair->task[SB_HEAD]);
@@ -109,10 +109,9 @@ static bool check_metric(struct sb_gate_session *session, const struct sb_gate_p
                sb_metric_rows[session->metric].name, FRAMES, batch / (FRAMES * one));
 }
 
-// Both batches of a pair; where the sides share a process, as one message.
-static bool shoot_pair(struct sb_gate_session *session, const struct sb_gate_pair *pair,
-                       enum sb_side first, struct sb_sample sample[SB_SIDES],
-                       struct sb_error *err)
+bool sb_gate_pair_shoot(struct sb_gate_session *session, const struct sb_gate_pair *pair,
+                        enum sb_side first, struct sb_sample sample[SB_SIDES],
+                        struct sb_error *err)
 {
     const enum sb_side order[SB_SIDES] = {first, first == SB_BASE ? SB_HEAD : SB_BASE};
     struct sb_shot shot[SB_SIDES];
@@ -145,7 +144,7 @@ bool sb_gate_make_ready(struct sb_gate_session *session, struct sb_error *err)
         struct sb_gate_pair *pair = &session->pair[i];
         struct sb_error failure = {0};
         struct sb_sample sample[SB_SIDES];
-        pair->active = is_timed(pair);
+        pair->active = sb_gate_pair_timed(pair);
         if (!pair->active)
             continue;
         if (!proven && (!check_metric(session, pair, SB_BASE, err) ||
@@ -154,7 +153,8 @@ bool sb_gate_make_ready(struct sb_gate_session *session, struct sb_error *err)
         proven = true;
         bool good = calibrate(session, pair, &failure);
         for (int r = 0; good && r < WARM_ROUNDS; r++)
-            good = shoot_pair(session, pair, r % 2 ? SB_HEAD : SB_BASE, sample, &failure);
+            good = sb_gate_pair_shoot(session, pair, r % 2 ? SB_HEAD : SB_BASE, sample,
+                                      &failure);
         if (!good)
             fail_pair(pair, &failure);
     }
@@ -163,9 +163,14 @@ bool sb_gate_make_ready(struct sb_gate_session *session, struct sb_error *err)
 
 // --- the rounds ----------------------------------------------------------------------------------
 
-static void keep(struct sb_gate_pair *pair, const int64_t value[SB_SIDES])
+void sb_gate_pair_keep(struct sb_gate_pair *pair, enum sb_metric metric,
+                       const struct sb_sample sample[SB_SIDES])
 {
     int capacity = pair->capacity;
+    int64_t value[SB_SIDES];
+    for (int side = 0; side < SB_SIDES; side++)
+        if ((value[side] = sb_metric_value(metric, &sample[side])) <= 0)
+            return;
     for (int side = 0; side < SB_SIDES; side++) {
         capacity = pair->capacity;
         pair->value[side] =
@@ -176,11 +181,10 @@ static void keep(struct sb_gate_pair *pair, const int64_t value[SB_SIDES])
     pair->count++;
 }
 
-static void fill_row(const struct sb_gate_rounds *rounds, const struct sb_gate_pair *pair,
-                     int round, enum sb_side first,
-                     const struct sb_sample sample[SB_SIDES], struct sb_pair_row *row)
+void sb_gate_pair_row(const struct sb_gate_session *session,
+                      const struct sb_gate_pair *pair, int round, enum sb_side first,
+                      const struct sb_sample sample[SB_SIDES], struct sb_pair_row *row)
 {
-    const struct sb_gate_session *session = rounds->session;
     int64_t value[SB_SIDES];
     for (int side = 0; side < SB_SIDES; side++) {
         const int64_t one = sb_metric_value(session->metric, &sample[side]);
@@ -211,21 +215,18 @@ static void measure_pair(struct sb_gate_rounds *rounds, int place, int round,
     struct sb_sample sample[SB_SIDES];
     struct sb_error failure = {0};
     const enum sb_side first = (round + place) % 2 ? SB_HEAD : SB_BASE;
-    if (!shoot_pair(session, pair, first, sample, &failure)) {
+    if (!sb_gate_pair_shoot(session, pair, first, sample, &failure)) {
         fail_pair(pair, &failure);
         return;
     }
-    fill_row(rounds, pair, round, first, sample, &row[(*row_count)++]);
-    int64_t value[SB_SIDES];
+    sb_gate_pair_row(session, pair, round, first, sample, &row[(*row_count)++]);
     for (int side = 0; side < SB_SIDES; side++) {
-        value[side] = sb_metric_value(session->metric, &sample[side]);
         if (!sb_driver_holds(&session->driver[side], sample[side].job, &failure)) {
             fail_pair(pair, &failure);
             return;
         }
     }
-    if (value[SB_BASE] > 0 && value[SB_HEAD] > 0)
-        keep(pair, value);
+    sb_gate_pair_keep(pair, session->metric, sample);
 }
 
 // `over`: no more pairs will come.

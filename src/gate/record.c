@@ -1,4 +1,5 @@
 // gate.json: everything needed to repeat a gate, and to judge its verdicts.
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,6 +8,7 @@
 #include "gate/state.h"
 #include "measure/machine.h"
 #include "measure/record.h"
+#include "stats/counts.h"
 
 static json_t *side_json(const struct sb_gate_state *gate, int side)
 {
@@ -31,6 +33,28 @@ static json_t *rule_json(const struct sb_gate_rule *rule)
     json_object_set_new(object, "first_look", json_integer(rule->looks.first));
     json_object_set_new(object, "pairs", json_integer(rule->looks.rounds));
     json_object_set_new(object, "confirm_pairs", json_integer(rule->confirm_pairs));
+    return object;
+}
+
+static json_t *counting_json(const struct sb_gate_counting *counting)
+{
+    json_t *object = json_object(), *environment = json_array();
+    const double repeatability = counting->repeatability;
+    for (int i = 0; i < SB_COUNTS_ENVIRONMENT; i++)
+        json_array_append_new(environment, json_string(sb_counts_environment[i]));
+    json_object_set_new(object, "speaks_of",
+                        json_string("this CPU driver, not of any GPU"));
+    json_object_set_new(object, "environment", environment);
+    json_object_set_new(object, "repeats", json_integer(SB_COUNTS_REPEATS));
+    json_object_set_new(object, "repeatability",
+                        isfinite(repeatability) ? json_real(repeatability) : json_null());
+    json_object_set_new(object, "counts", json_integer(counting->counts));
+    json_object_set_new(object, "apart", json_integer(counting->apart));
+    json_object_set_new(object, "farthest", json_real(counting->farthest));
+    json_object_set_new(object, "other_code", json_string(counting->other_code));
+    for (int side = 0; side < SB_SIDES; side++)
+        json_object_set_new(object, side == SB_BASE ? "base_caps" : "head_caps",
+                            sb_caps_json(&counting->caps[side]));
     return object;
 }
 
@@ -60,6 +84,8 @@ static json_t *make(const struct sb_gate_state *gate, const struct sb_gate_resul
     if (result->metric == SB_METRIC_GPU)
         json_object_set_new(object, "timers",
                             sb_audit_json(&gate->session.driver[SB_BASE]));
+    if (result->metric == SB_METRIC_INSTRUCTIONS)
+        json_object_set_new(object, "counting", counting_json(&result->counting));
     json_object_set_new(object, "machine", sb_machine_json());
     json_object_set_new(object, "environment", sb_environment_json());
     if (complete)

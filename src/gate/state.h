@@ -5,12 +5,14 @@
 #include "gate/gate.h"
 #include "measure/task.h"
 #include "results/row_file.h"
+#include "stats/counts.h"
 
 struct sb_gate_pair { // one plan entry, on both sides
     struct sb_task task[SB_SIDES];
-    const char *picture; // word for the row; NULL: not looked at
-    bool timed;          // both are sound and their sources differ
-    bool active;         // more pairs are wanted
+    const char *picture;             // word for the row; NULL: not looked at
+    bool timed;                      // both are sound and their sources differ
+    bool active;                     // more pairs are wanted
+    struct sb_counts_reading counts; // metric instructions: what `reading` is made of
     int batch[SB_SIDES]; // frames; the same on both sides, unless params->own_batches
     double *value[SB_SIDES];
     int count, capacity; // pairs
@@ -21,6 +23,7 @@ struct sb_gate_session { // the processes that draw, and what they hold
     const struct sb_gate_params *params;
     int process; // 0: the gate's own; then one a confirmation
     enum sb_metric metric;
+    bool callgrind;                    // the processes run under it
     struct sb_driver driver[SB_SIDES]; // one and the same, unless params->apart
     bool open[SB_SIDES];               // this session's to close
     struct sb_gate_pair *pair;
@@ -38,6 +41,18 @@ void sb_gate_session_close(struct sb_gate_session *session);
 void sb_gate_pictures(struct sb_gate_session *session);
 
 // pairs.c
+// Both sides are there, sound, and worth comparing.
+bool sb_gate_pair_timed(const struct sb_gate_pair *pair);
+// Both batches of a pair; where the sides share a process, as one message.
+bool sb_gate_pair_shoot(struct sb_gate_session *session, const struct sb_gate_pair *pair,
+                        enum sb_side first, struct sb_sample sample[SB_SIDES],
+                        struct sb_error *err);
+// The row of pairs.csv, and the two values where both are some.
+void sb_gate_pair_row(const struct sb_gate_session *session,
+                      const struct sb_gate_pair *pair, int round, enum sb_side first,
+                      const struct sb_sample sample[SB_SIDES], struct sb_pair_row *row);
+void sb_gate_pair_keep(struct sb_gate_pair *pair, enum sb_metric metric,
+                       const struct sb_sample sample[SB_SIDES]);
 struct sb_gate_rounds {
     struct sb_gate_session *session;
     const struct sb_gate_rule *rule;
@@ -52,10 +67,26 @@ bool sb_gate_make_ready(struct sb_gate_session *session, struct sb_error *err);
 // Until no pair is active, the time is up or a signal came. False: the pairs could not be written.
 bool sb_gate_rounds_run(struct sb_gate_rounds *rounds, struct sb_error *err);
 
+// counts.c, for the metric instructions
+enum { SB_COUNTS_ENVIRONMENT = 2 };
+// What the processes' environment has: one thread, and no cache that shortens the second run.
+extern const char *const sb_counts_environment[SB_COUNTS_ENVIRONMENT];
+struct sb_gate_state;
+// Opens gate->counting and tells of it. SB_BAD_INPUT where this metric says nothing here.
+bool sb_gate_counts_open(struct sb_gate_state *gate, struct sb_gate_result *result,
+                         struct sb_error *err);
+// Counts all pairs of the session that are active, and judges them. False: the pairs could not be
+// written.
+bool sb_gate_counts_run(struct sb_gate_state *gate, struct sb_gate_result *result,
+                        struct sb_error *err);
+// Counts all candidates once more, in one fresh process.
+bool sb_gate_counts_confirm(struct sb_gate_state *gate, struct sb_error *err);
+
 // record.c
 struct sb_gate_state {
     struct sb_gate_params params;
     struct sb_gate_session session;
+    struct sb_gate_session counting; // the same plan, where instructions are counted
     struct sb_row_file *pairs, *summary;
     struct sb_gate_row *row;
     char started[32];

@@ -29,6 +29,15 @@ struct sb_context_params {
     // program), and how long it may take over one call, or one batch of a round; 0: 120 s.
     const char *worker;
     double worker_limit_s;
+    // Samples carry instructions, where the process that draws has a counter (caps.counter).
+    // Before it is opened: a driver's threads must be made after the counter.
+    bool count;
+    // Of a worker, with `count`: its command is started under callgrind, which counts where the
+    // kernel does not, and shows the driver another processor than the machine has (caps.cpu).
+    // The command must be that of one program: `valgrind OPTIONS COMMAND`.
+    bool callgrind;
+    const char
+        *count_folder; // the worker's own: where callgrind's files go; NULL: it has none
 };
 
 // What a driver has. A limit of 0: it has none of that kind. One list, caps.def.
@@ -133,6 +142,9 @@ struct sb_sample {
     int64_t wall_ns;   // from before the first command until drained
     int64_t cpu_ns;    // process CPU time, all threads, over the same span
     int64_t submit_ns; // until the last command was issued
+    // Of all threads in user space, over the span of wall_ns, after a frame of the same job that
+    // is not counted; SB_NO_TIME: none are.
+    int64_t instructions;
     unsigned flags;
 };
 #define SB_NO_TIME INT64_MIN // 0 ns is a value, never "none"

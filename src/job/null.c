@@ -1,4 +1,5 @@
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,6 +13,7 @@ struct null_runner {
     int job_count, job_capacity;
     int64_t shots, rounds;
     uint64_t noise;
+    bool counts;
 };
 
 struct sb_null_script *sb_null_script(void *runner)
@@ -29,6 +31,7 @@ static void *null_open(const struct sb_context_params *params, struct sb_caps *c
         .renderer = "null (scripted, nothing is drawn)",
         .version = "none",
         .glsl_version = "none",
+        .software = params->count, // what is counted is the work of a CPU
         .gles = params->gles,
         .api_version = params->gles ? 320 : 460,
         .glsl = params->gles ? 320 : 460,
@@ -53,6 +56,8 @@ static void *null_open(const struct sb_context_params *params, struct sb_caps *c
     };
     struct null_runner *null = sb_alloc(sizeof *null);
     null->noise = 1;
+    null->counts = params->count;
+    snprintf(caps->counter, sizeof caps->counter, "%s", params->count ? "made up" : "");
     return null;
 }
 
@@ -161,7 +166,7 @@ static double noise(struct null_runner *null)
 
 // The null runner names no axis, so any axis that is a count costs: the sum of all numbers
 // of the scene axes, each weighted by its place, makes variants differ.
-static double made_up_ns(struct null_runner *null, const struct sb_job *job)
+static double made_up_cost(const struct sb_job *job)
 {
     double cost = 2e5;
     const struct sb_axes *axes = sb_axes_builtin();
@@ -169,7 +174,24 @@ static double made_up_ns(struct null_runner *null, const struct sb_job *job)
         if (axes->row[i].kind == SB_SCENE && !axes->row[i].values &&
             axes->row[i].max <= 256)
             cost += 1e4 * (1 + i % 3) * job->variant.value[i];
-    return cost * (1 + 0.02 * noise(null));
+    return cost;
+}
+
+static double made_up_ns(struct null_runner *null, const struct sb_job *job)
+{
+    return made_up_cost(job) * (1 + 0.02 * noise(null));
+}
+
+// As often as it is asked the same.
+static int64_t count_instructions(const struct null_runner *null,
+                                  const struct sb_job *job, const struct sb_shot *shot)
+{
+    const struct sb_null_script *script = &null->script;
+    if (!null->counts)
+        return SB_NO_TIME;
+    return script->instructions
+               ? script->instructions(script->user, job, shot, null->shots)
+               : (int64_t)(3 * made_up_cost(job)) * shot->frames;
 }
 
 static bool null_round(void *self, const struct sb_shot *shots, int count,
@@ -201,6 +223,7 @@ static bool null_round(void *self, const struct sb_shot *shots, int count,
             .wall_ns = (int64_t)(ns * wall),
             .cpu_ns = (int64_t)(ns * 0.1),
             .submit_ns = (int64_t)(ns * 0.05),
+            .instructions = count_instructions(null, job, &shots[i]),
             .flags =
                 script->flags ? script->flags(script->user, &shots[i], null->shots) : 0,
         };

@@ -10,6 +10,9 @@ struct sb_null_script {
     // lights and pixels with 2 % of noise.
     double (*frame_ns)(void *user, const struct sb_job *job, const struct sb_shot *shot,
                        int64_t count);
+    // Instructions of a batch, where they are counted. NULL: a made-up cost without noise.
+    int64_t (*instructions)(void *user, const struct sb_job *job,
+                            const struct sb_shot *shot, int64_t count);
     // Outcome of prepare: fills error and log. NULL: all is well.
     void (*prepare)(void *user, const struct sb_job *job, struct sb_prepared *prepared);
     // The colour that fills an image. NULL: one that depends on the lights that shine.

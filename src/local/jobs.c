@@ -110,9 +110,10 @@ static void warm_up(struct sb_local *local, const struct sb_local_job *job,
     const struct sb_shot first = {.job = job->id, .frames = 1, .shrink = 1};
     const struct sb_shot more = {.job = job->id, .frames = 2, .shrink = 1};
     struct sb_sample sample;
-    sb_local_batch(local, job, &job->ring->ring, &first, &sample, &result->gl_calls);
+    sb_local_batch(local, job, &job->ring->ring, &first, NULL, &sample,
+                   &result->gl_calls);
     result->first_draw_ms = (double)sample.wall_ns * 1e-6;
-    sb_local_batch(local, job, &job->ring->ring, &more, &sample, NULL);
+    sb_local_batch(local, job, &job->ring->ring, &more, NULL, &sample, NULL);
 }
 
 static bool count_work(struct sb_local *local, const struct sb_local_job *job,

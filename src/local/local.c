@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/cpu.h"
 #include "base/environment.h"
 #include "base/mem.h"
 #include "gl/audit.h"
@@ -23,6 +24,7 @@ static void close_runner(void *self)
     sb_gl_program_cache_close(local->cache);
     glDeleteVertexArrays(1, &local->no_vertices);
     local->context->close(local->window);
+    sb_counter_close(&local->counter);
     free(local);
 }
 
@@ -33,12 +35,19 @@ static void *open_runner(const struct sb_context_params *params, struct sb_caps 
                                                .device = params->device};
     struct sb_local *local = sb_alloc(sizeof *local);
     sb_environment_apply(params->environment, params->environment_count);
+    if (params->count)
+        sb_counter_open(&local->counter, params->count_folder);
     local->window = sb_context_open(params->context, &options, &local->context, err);
     if (!local->window)
         goto no_context;
     if (!sb_gl_load(local->context->proc, local->window, params->gles, &local->caps, err))
         goto no_entry_points;
     snprintf(local->caps.context, sizeof local->caps.context, "%s", local->context->name);
+    sb_cpu_name(local->caps.cpu, sizeof local->caps.cpu);
+    sb_cpu_features(local->caps.cpu_features, sizeof local->caps.cpu_features);
+    if (local->counter.fns)
+        snprintf(local->caps.counter, sizeof local->caps.counter, "%s",
+                 local->counter.fns->name);
     local->caps.software =
         local->context->software && local->context->software(local->window);
     if (!sb_id_program_make(&local->id_program, local->caps.gles, err)) {
@@ -54,6 +63,7 @@ static void *open_runner(const struct sb_context_params *params, struct sb_caps 
 no_entry_points:
     local->context->close(local->window);
 no_context:
+    sb_counter_close(&local->counter);
     free(local);
     return NULL;
 }

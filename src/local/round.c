@@ -45,7 +45,7 @@ struct sb_frame_params sb_local_frame(const struct sb_local *local,
 
 void sb_local_batch(struct sb_local *local, const struct sb_local_job *job,
                     const struct sb_ring *ring, const struct sb_shot *shot,
-                    struct sb_sample *sample, int64_t *calls)
+                    struct sb_counter *counter, struct sb_sample *sample, int64_t *calls)
 {
     struct sb_frame_params frame = sb_local_frame(local, job);
     frame.shadows_only = shot->part == SB_PART_SHADOWS;
@@ -53,6 +53,8 @@ void sb_local_batch(struct sb_local *local, const struct sb_local_job *job,
     int64_t frame_calls = 0;
     const int64_t cpu_begin = sb_cpu_ns();
     const int64_t begin = sb_clock_ns();
+    if (counter)
+        counter->fns->start(counter);
     if (local->timer)
         local->timer->begin(&local->query);
     for (int i = 0; i < shot->frames; i++) {
@@ -67,6 +69,8 @@ void sb_local_batch(struct sb_local *local, const struct sb_local_job *job,
         sb_frame_end_shadows(frame.target);
     const int64_t submitted = sb_clock_ns();
     sb_gl_drain();
+    if (counter)
+        counter->fns->stop(counter);
     const int64_t drained = sb_clock_ns();
     *sample = (struct sb_sample){
         .job = job->id,
@@ -74,10 +78,22 @@ void sb_local_batch(struct sb_local *local, const struct sb_local_job *job,
         .wall_ns = drained - begin,
         .cpu_ns = sb_cpu_ns() - cpu_begin,
         .submit_ns = submitted - begin,
+        .instructions = SB_NO_TIME,
     };
     read_timer(local, sample);
     if (calls)
         *calls = frame_calls;
+}
+
+// A counted batch comes after a frame of its own job that is not: to change from one program to
+// another is no part of a frame.
+static void draw_before_counting(struct sb_local *local, const struct sb_local_job *job,
+                                 const struct sb_ring *ring, const struct sb_shot *shot)
+{
+    struct sb_sample ignored;
+    struct sb_shot one = *shot;
+    one.frames = 1;
+    sb_local_batch(local, job, ring, &one, NULL, &ignored, NULL);
 }
 
 static bool makes_sense(const struct sb_local_job *job, const struct sb_shot *shot,
@@ -118,6 +134,7 @@ bool sb_local_round(void *self, const struct sb_shot *shots, int count,
                     struct sb_sample *samples, struct sb_error *err)
 {
     struct sb_local *local = self;
+    struct sb_counter *counter = local->counter.fns ? &local->counter : NULL;
     for (int i = 0; i < count; i++) {
         if (!ring_of(local, &shots[i], err))
             return false;
@@ -125,7 +142,11 @@ bool sb_local_round(void *self, const struct sb_shot *shots, int count,
     for (int i = 0; i < count; i++) {
         const struct sb_local_job *job = sb_local_job_find(local, shots[i].job, err);
         const struct sb_ring *ring = ring_of(local, &shots[i], err);
-        sb_local_batch(local, job, ring, &shots[i], &samples[i], NULL);
+        if (counter)
+            draw_before_counting(local, job, ring, &shots[i]);
+        sb_local_batch(local, job, ring, &shots[i], counter, &samples[i], NULL);
+        if (counter && !counter->fns->read(counter, &samples[i].instructions, err))
+            return false;
         if (!sb_local_gl_ok("measuring", shots[i].job, err))
             return false;
     }

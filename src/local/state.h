@@ -5,6 +5,7 @@
 #include "context/context.h"
 #include "gl/program_cache.h"
 #include "gl/timer.h"
+#include "local/count.h"
 #include "local/local.h"
 #include "render/render.h"
 #include "render/shadow.h"
@@ -100,6 +101,7 @@ struct sb_local {
     GLuint no_vertices;               // a vertex array without attributes; 0: not yet
     const struct sb_timer_fns *timer; // NULL: none chosen yet, samples carry no GPU time
     struct sb_query query;
+    struct sb_counter counter; // counts the batches of rounds
     struct sb_pool pool;
     struct sb_local_job *jobs;
 };
@@ -169,10 +171,11 @@ struct sb_frame_params sb_local_frame(const struct sb_local *local,
 
 // One timed batch of shot->frames: nothing but clocks and the timer between the first
 // command and the drain, nothing in flight afterwards. *calls (may be NULL): GL calls of
-// one frame. Moving lights are left at the phase of the last frame.
+// one frame. Moving lights are left at the phase of the last frame. `counter` (may be NULL) is
+// started and stopped; who gives it reads it.
 void sb_local_batch(struct sb_local *local, const struct sb_local_job *job,
                     const struct sb_ring *ring, const struct sb_shot *shot,
-                    struct sb_sample *sample, int64_t *calls);
+                    struct sb_counter *counter, struct sb_sample *sample, int64_t *calls);
 
 // False with SB_GL_ERROR where the driver has reported one since the last call; `what`
 // was being done to the job: "preparing".

@@ -7,6 +7,7 @@
 #include "base/clock.h"
 #include "base/file.h"
 #include "base/log.h"
+#include "job/callgrind.h"
 #include "wire/messages.h"
 
 static int64_t deadline(const struct sb_connection *line)
@@ -111,15 +112,27 @@ static const char *default_command(struct sb_arena *arena, struct sb_error *err)
                 beside);
         return NULL;
     }
-    // Quoted for the shell: ' becomes '\''.
-    struct sb_text quoted = {0};
-    sb_text_add(&quoted, "exec '");
-    for (const char *p = beside; *p; p++)
-        sb_text_add_n(&quoted, *p == '\'' ? "'\\''" : p, *p == '\'' ? 4 : 1);
-    sb_text_add(&quoted, "'");
-    const char *command = sb_arena_strdup(arena, sb_text_get(&quoted));
-    sb_text_free(&quoted);
-    return command;
+    return sb_arena_printf(arena, "exec %s", sb_shell_quote(arena, beside));
+}
+
+// The same under callgrind, in a folder of its own.
+static bool count_by_callgrind(struct sb_connection *line, struct sb_error *err)
+{
+    static const char exec[] = "exec ";
+    const char *command = line->params.worker;
+    if (!sb_in_path("valgrind"))
+        return sb_fail(err, SB_BAD_INPUT,
+                       "valgrind is missing: install it to count instructions where the "
+                       "kernel offers no counters");
+    line->params.count_folder = sb_temporary_dir(&line->arena, "shadebench-count", err);
+    if (!line->params.count_folder)
+        return false;
+    if (strncmp(command, exec, strlen(exec)) == 0)
+        command += strlen(exec);
+    line->params.worker = sb_arena_printf(
+        &line->arena, "exec %s %s",
+        sb_callgrind_command(&line->arena, line->params.count_folder), command);
+    return true;
 }
 
 static bool open_context(struct sb_connection *line, struct sb_caps *caps,
@@ -197,7 +210,9 @@ bool sb_connection_open(struct sb_connection *line,
     line->params.environment = setting;
     line->params.worker = params->worker ? sb_arena_strdup(&line->arena, params->worker)
                                          : default_command(&line->arena, err);
-    return line->params.worker && start(line, &line->caps, err);
+    line->params.count_folder = NULL;
+    return line->params.worker && (!params->callgrind || count_by_callgrind(line, err)) &&
+           start(line, &line->caps, err);
 }
 
 void sb_connection_close(struct sb_connection *line)
@@ -211,5 +226,7 @@ void sb_connection_close(struct sb_connection *line)
     if (strstr(sb_text_get(&how), "killed"))
         sb_warn("the worker %s when it closed; nothing is lost", how.data);
     sb_text_free(&how);
+    if (line->params.count_folder)
+        sb_dir_remove(line->params.count_folder);
     sb_arena_free(&line->arena);
 }

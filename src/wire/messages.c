@@ -33,7 +33,8 @@ json_t *sb_wire_call(const char *call)
 
 #define CONTEXT(member) SB_FIELD(struct sb_context_params, member)
 static const struct sb_field open_fields[] = {CONTEXT(context), CONTEXT(gles),
-                                              CONTEXT(device), CONTEXT(driver_stats)};
+                                              CONTEXT(device), CONTEXT(driver_stats),
+                                              CONTEXT(count)};
 #undef CONTEXT
 
 void sb_wire_put_open(json_t *head, const struct sb_context_params *params)
@@ -46,6 +47,8 @@ void sb_wire_put_open(json_t *head, const struct sb_context_params *params)
                         sb_fields_pack(open_fields, COUNT(open_fields), params));
     if (params->program_cache)
         json_object_set_new(head, "program_cache", sb_text_json(params->program_cache));
+    if (params->count_folder)
+        json_object_set_new(head, "count_folder", sb_text_json(params->count_folder));
     json_t *environment = json_array();
     for (int i = 0; i < params->environment_count; i++)
         json_array_append_new(environment, sb_text_json(params->environment[i]));
@@ -75,12 +78,14 @@ bool sb_wire_get_open(const json_t *head, struct sb_context_params *params,
                       struct sb_arena *arena, struct sb_error *err)
 {
     const char *cache = json_string_value(json_object_get(head, "program_cache"));
+    const char *folder = json_string_value(json_object_get(head, "count_folder"));
     const json_t *environment = json_object_get(head, "environment");
     if (!check_version(head, err) ||
         !sb_fields_unpack(open_fields, COUNT(open_fields),
                           json_object_get(head, "params"), params, arena, err))
         return false;
     params->program_cache = cache ? sb_arena_strdup(arena, cache) : NULL;
+    params->count_folder = folder ? sb_arena_strdup(arena, folder) : NULL;
     const size_t count = json_array_size(environment);
     const char **setting = sb_arena_alloc(arena, (count + 1) * sizeof *setting);
     for (size_t i = 0; i < count; i++) {
@@ -100,8 +105,8 @@ static const struct sb_field shot_fields[] = {SHOT(job), SHOT(frames), SHOT(shri
 #undef SHOT
 #define SAMPLE(member) SB_FIELD(struct sb_sample, member)
 static const struct sb_field sample_fields[] = {
-    SAMPLE(job),    SAMPLE(frames),    SAMPLE(gpu_ns), SAMPLE(wall_ns),
-    SAMPLE(cpu_ns), SAMPLE(submit_ns), SAMPLE(flags),
+    SAMPLE(job),    SAMPLE(frames),    SAMPLE(gpu_ns),       SAMPLE(wall_ns),
+    SAMPLE(cpu_ns), SAMPLE(submit_ns), SAMPLE(instructions), SAMPLE(flags),
 };
 #undef SAMPLE
 

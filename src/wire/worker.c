@@ -220,6 +220,7 @@ static void lose_round(const struct sb_shot *shots, int count, struct sb_sample 
             .job = shots[i].job,
             .frames = shots[i].frames,
             .gpu_ns = SB_NO_TIME,
+            .instructions = SB_NO_TIME,
             .flags = SB_SAMPLE_LOST,
         };
 }
