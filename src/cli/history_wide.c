@@ -102,8 +102,8 @@ void sb_history_print_wide(const struct sb_history_analysis *analysis)
     wide.column = sb_alloc(((size_t)analysis->count + 1) * sizeof *wide.column);
     choose(analysis, &wide);
     add_header(&wide, &text);
-    for (int c = 0; c < wide.count;
-         c++) { // whole lines are all found in the first column
+    // Lines that are whole are all found in the first column, and so are in its order.
+    for (int c = 0; c < wide.count; c++) {
         const struct sb_history_series *series = series_of(&wide, c);
         for (int i = 0; i < series->point_count; i++)
             if (!in_earlier(&wide, c, series->point[i].commit))
