@@ -145,8 +145,9 @@ static bool prepare(struct adding *adding, struct sb_history_measure_params *par
                         &adding->anchor, err))
         return false;
     if (params->metric == SB_METRIC_INSTRUCTIONS)
-        return sb_fail(err, SB_USAGE,
-                       "--metric instructions: a history is of times; counts are for gate");
+        return sb_fail(
+            err, SB_USAGE,
+            "--metric instructions: a history is of times; counts are for gate");
     if (options->in_process && adding->suite.measure.processes > 1)
         return sb_fail(err, SB_USAGE, "--in-process is one process: add --processes 1");
     adding->pinned = sb_cli_pin_threads(&adding->suite);
