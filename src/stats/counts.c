@@ -25,9 +25,7 @@ static void find_apart(struct side *side, const double *sorted, int n, double st
 
 static struct side read_side(const double *value, int n, double steady, double *scratch)
 {
-    int wanted = n / 2 + 1;
-    if (wanted < SB_COUNTS_REPEATS)
-        wanted = n < SB_COUNTS_REPEATS ? n : SB_COUNTS_REPEATS;
+    const int wanted = n < SB_COUNTS_REPEATS ? n : SB_COUNTS_REPEATS;
     memcpy(scratch, value, (size_t)n * sizeof *scratch);
     sb_sort_doubles(scratch, n);
     int first = 0;

@@ -13,12 +13,12 @@
 // Repeats of one side agree where they differ by a quarter of the tolerance at most.
 #define SB_COUNTS_STEADY 0.25
 enum { SB_COUNTS_REPEATS = 3, SB_COUNTS_MOST = 5 };
+_Static_assert(2 * SB_COUNTS_REPEATS > SB_COUNTS_MOST, "those that agree are a majority");
 
 struct sb_counts_reading {
     enum sb_gate_verdict verdict;
     int n; // counts of each side
-    // The rest is of those that agree: of each side the SB_COUNTS_REPEATS closest to each other,
-    // or more where those are no majority.
+    // The rest is of those that agree: of each side the SB_COUNTS_REPEATS closest to each other.
     double base, head; // medians
     // Head over base: of the medians; lo and hi: the least and the largest that any of the one
     // gives with any of the other. No confidence interval: the range of what was seen.
