@@ -54,16 +54,17 @@ static bool least(struct sb_gate_session *session, const struct sb_gate_pair *pa
 }
 
 // The fewest frames for which both sides take batch_ms, unless one then takes too long.
+// *side: where it failed.
 static bool calibrate(struct sb_gate_session *session, struct sb_gate_pair *pair,
-                      struct sb_error *err)
+                      enum sb_side *side, struct sb_error *err)
 {
     const struct sb_measure_settings *settings = session->params->settings;
     const double wanted = settings->batch_ms * 1e6;
     pair->batch = settings->batch > 0 ? (int)settings->batch : 1;
     for (int step = 0; step < 16 && settings->batch <= 0; step++) {
         double ns[SB_SIDES];
-        for (int side = 0; side < SB_SIDES; side++)
-            if (!least(session, pair, side, pair->batch, &ns[side], err))
+        for (*side = SB_BASE; *side < SB_SIDES; (*side)++)
+            if (!least(session, pair, (int)*side, pair->batch, &ns[*side], err))
                 return false;
         const double shorter = fmin(ns[SB_BASE], ns[SB_HEAD]);
         const double longer = fmax(ns[SB_BASE], ns[SB_HEAD]);
@@ -117,10 +118,28 @@ static bool shoot_pair(struct sb_gate_session *session, const struct sb_gate_pai
     return good;
 }
 
-static void fail_pair(struct sb_gate_pair *pair, const struct sb_error *err)
+static void fail_pair(struct sb_gate_pair *pair, enum sb_side side,
+                      const struct sb_error *err)
 {
-    sb_task_fail(&pair->task[SB_HEAD], err);
+    sb_task_fail(&pair->task[side], err);
     pair->active = false;
+}
+
+// Before the pairs, a side at a time: whose fault it is is known.
+static bool ready_sides(struct sb_gate_session *session, struct sb_gate_pair *pair,
+                        bool proven, enum sb_side *side, struct sb_error *err)
+{
+    struct sb_sample sample[SB_SIDES];
+    for (*side = SB_BASE; !proven && *side < SB_SIDES; (*side)++)
+        if (!check_metric(session, pair, (int)*side, err))
+            return false;
+    if (!calibrate(session, pair, side, err))
+        return false;
+    *side = SB_HEAD;
+    for (int r = 0; r < WARM_ROUNDS; r++)
+        if (!shoot_pair(session, pair, r % 2 ? SB_HEAD : SB_BASE, sample, err))
+            return false;
+    return true;
 }
 
 bool sb_gate_make_ready(struct sb_gate_session *session, struct sb_error *err)
@@ -129,19 +148,18 @@ bool sb_gate_make_ready(struct sb_gate_session *session, struct sb_error *err)
     for (int i = 0; i < session->pair_count && !sb_interrupted(); i++) {
         struct sb_gate_pair *pair = &session->pair[i];
         struct sb_error failure = {0};
-        struct sb_sample sample[SB_SIDES];
+        enum sb_side side;
         pair->active = is_timed(pair);
         if (!pair->active)
             continue;
-        if (!proven && (!check_metric(session, pair, SB_BASE, err) ||
-                        !check_metric(session, pair, SB_HEAD, err)))
+        if (ready_sides(session, pair, proven, &side, &failure)) {
+            proven = true;
+        } else if (failure.status == SB_NO_TIMER) { // of all variants
+            *err = failure;
             return false;
-        proven = true;
-        bool good = calibrate(session, pair, &failure);
-        for (int r = 0; good && r < WARM_ROUNDS; r++)
-            good = shoot_pair(session, pair, r % 2 ? SB_HEAD : SB_BASE, sample, &failure);
-        if (!good)
-            fail_pair(pair, &failure);
+        } else {
+            fail_pair(pair, side, &failure);
+        }
     }
     return true;
 }
@@ -197,7 +215,7 @@ static void measure_pair(struct sb_gate_rounds *rounds, int place, int round,
     struct sb_error failure = {0};
     const enum sb_side first = (round + place) % 2 ? SB_HEAD : SB_BASE;
     if (!shoot_pair(session, pair, first, sample, &failure)) {
-        fail_pair(pair, &failure);
+        fail_pair(pair, SB_HEAD, &failure);
         return;
     }
     fill_row(rounds, pair, round, first, sample, &row[(*row_count)++]);
@@ -205,7 +223,7 @@ static void measure_pair(struct sb_gate_rounds *rounds, int place, int round,
     for (int side = 0; side < SB_SIDES; side++) {
         value[side] = sb_metric_value(session->metric, &sample[side]);
         if (!sb_driver_holds(&session->driver[side], sample[side].job, &failure)) {
-            fail_pair(pair, &failure);
+            fail_pair(pair, (enum sb_side)side, &failure);
             return;
         }
     }
@@ -222,6 +240,18 @@ static void look(struct sb_gate_rounds *rounds, struct sb_gate_pair *pair, bool 
         scratch);
     pair->active = pair->reading.verdict == SB_GATE_OPEN;
     free(scratch);
+}
+
+// Verdicts are read from what is on disk, and from nothing else.
+static void forget_unwritten(struct sb_gate_rounds *rounds)
+{
+    struct sb_gate_session *session = rounds->session;
+    for (int i = 0; i < session->pair_count; i++) {
+        struct sb_gate_pair *pair = &session->pair[i];
+        pair->count = pair->written;
+        if (pair->active)
+            look(rounds, pair, true);
+    }
 }
 
 static int find_active(const struct sb_gate_session *session, int *active)
@@ -264,11 +294,16 @@ static bool loop(struct sb_gate_rounds *rounds, int *active, int *order,
         sb_schedule_order((uint64_t)session->params->settings->seed, count, round, order);
         for (int i = 0; i < count; i++)
             measure_pair(rounds, active[order[i]], round, row, &rows);
-        if (!sb_row_file_add(rounds->file, row, rows, sizeof *row, err))
+        if (!sb_row_file_add(rounds->file, row, rows, sizeof *row, err)) {
+            forget_unwritten(rounds);
             return false;
-        for (int i = 0; i < count; i++)
-            if (session->pair[active[i]].active)
-                look(rounds, &session->pair[active[i]], false);
+        }
+        for (int i = 0; i < count; i++) {
+            struct sb_gate_pair *pair = &session->pair[active[i]];
+            pair->written = pair->count;
+            if (pair->active)
+                look(rounds, pair, false);
+        }
     }
 }
 

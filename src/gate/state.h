@@ -14,6 +14,7 @@ struct sb_gate_pair { // one plan entry, on both sides
     int batch;           // frames, on both sides
     double *value[SB_SIDES];
     int count, capacity; // pairs
+    int written;         // of them, on disk
     struct sb_gate_reading reading;
 };
 
