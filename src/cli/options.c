@@ -89,7 +89,7 @@ static const struct option options_table[] = {
     {"keep-equal", 0, NULL,         GATE,             FLAG,       AT(keep_equal), "time variants whose final sources are equal, too: a gate that must not alarm"},
     {"cases",    0,   NULL,         GATE,             FLAG,       AT(hard_cases), "verify the hard cases on both sides, too: exit code 1 where one that base passes fails"},
     {"fail-on-inconclusive", 0, NULL, GATE,           FLAG,       AT(fail_on_inconclusive), "exit code 4 where a variant is neither clearly slower nor clearly not"},
-    {"bisect",   0,   NULL,         GATE,             FLAG,       AT(bisect),   "exit codes for git bisect run: 125, skip, in place of 3, 4 and 77"},
+    {"bisect",   0,   NULL,         GATE,             FLAG,       AT(bisect),   "exit codes for git bisect run: 125, skip, in place of 3, 4 and 77; 128, stop, where the command itself is wrong"},
     {"timer",    0,   "NAME",       RUN|PROBE|VERIFY|GATE, TEXT,       AT(timer),    "timer source to use, if its audit allows; default: auto"},
     {"pixel",    0,   "X,Y",        EXPLAIN,          TEXT,       AT(pixel),    "the pixel to explain, counted from the lower left"},
     {"device",   0,   "N",          RUN|PROBE|VERIFY|EXPLAIN|GATE, TEXT,  AT(device),   "EGL device number, where there are several"},
@@ -156,8 +156,8 @@ static bool add_assignment(struct sb_assignments *list, const char *option,
     const char *equals = strchr(text, '=');
     if (!equals || equals == text)
         return sb_fail(err, SB_USAGE,
-                       "--%s %s: NAME=VALUE in one word is wanted, such as --%s %s",
-                       option, text, option,
+                       "--%s %s: %s=VALUE in one word is wanted, such as --%s %s", option,
+                       text, strstr(option, "-env") ? "NAME" : "AXIS", option,
                        strstr(option, "-env") ? "LP_NUM_THREADS=1" : "point=4");
     if (list->count == SB_ASSIGNMENTS_MAX)
         return sb_fail(err, SB_USAGE, "--%s: more than %d of them", option,
