@@ -170,6 +170,12 @@ static void a_variant_that_is_lost_in_the_midst_of_its_rounds_keeps_its_pairs(
     assert_true(atof(csv_cell(&csv, 2, "ratio")) > 0.9);
     check_cell(1, "pairs", "240"); // the others go on
     sb_csv_free(&csv);
+    set_fault("segv", "round:3"); // of base
+    setenv("AFTER", "18", 1);
+    run_faulty(GATE "--tolerance 0% ", 0, "base: worker_crashed", "gate.csv");
+    check_cell(2, "status_of", "base");
+    assert_true(atoi(csv_cell(&csv, 2, "pairs")) > 0);
+    sb_csv_free(&csv);
     clear_faults();
 }
 
