@@ -32,6 +32,9 @@ bool sb_cli_fail_axis(const char *what, const char *word, const char *value,
 const char *sb_cli_suite_path(const char *word, const char *data_dir,
                               struct sb_arena *arena, struct sb_error *err);
 
+// Do the options say what to draw? --context and its like only say where.
+bool sb_cli_is_planned(const struct sb_options *options);
+
 // Loads the suite that the options ask for: `path`, or without one (NULL) --set
 // and --sweep alone.
 bool sb_cli_load_suite(const struct sb_options *options, const char *path,

@@ -64,19 +64,6 @@ static bool read_pairs(const char *text, int *pairs, struct sb_error *err)
     return true;
 }
 
-// Do the options say what to draw? --context and its like only say where.
-static bool is_planned(const struct sb_options *options)
-{
-    const struct sb_axes *axes = sb_axes_builtin();
-    bool planned =
-        options->preset || options->scene || options->sweep.count || options->cross.count;
-    for (int i = 0; i < options->set.count; i++) {
-        const int axis = sb_axes_find(axes, options->set.item[i].axis);
-        planned |= axis < 0 || axes->row[axis].kind != SB_PLATFORM;
-    }
-    return planned;
-}
-
 static bool is_set(const struct sb_options *options, const char *setting)
 {
     for (int i = 0; i < options->setting.count; i++)
@@ -88,9 +75,9 @@ static bool is_set(const struct sb_options *options, const char *setting)
 static bool load_suite(struct adding *adding, struct sb_error *err)
 {
     const struct sb_options *options = adding->options;
-    const char *word = options->word_count > 1 ? options->word[1]
-                       : is_planned(options)   ? NULL
-                                               : "ci";
+    const char *word = options->word_count > 1      ? options->word[1]
+                       : sb_cli_is_planned(options) ? NULL
+                                                    : "ci";
     const char *path = NULL;
     if (word && !(path = sb_cli_suite_path(word, adding->data, &adding->arena, err)))
         return false;

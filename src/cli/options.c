@@ -94,7 +94,7 @@ static const struct option options_table[] = {
     {"keep-equal", 0, NULL,         GATE,             FLAG,       AT(keep_equal), "time variants whose final sources are equal, too: a gate that must not alarm"},
     {"cases",    0,   NULL,         GATE,             FLAG,       AT(hard_cases), "verify the hard cases on both sides, too: exit code 1 where one that base passes fails"},
     {"fail-on-inconclusive", 0, NULL, GATE,           FLAG,       AT(fail_on_inconclusive), "exit code 4 where a variant is neither clearly slower nor clearly not"},
-    {"bisect",   0,   NULL,         GATE,             FLAG,       AT(bisect),   "exit codes for git bisect run: 125, skip, in place of 3, 4 and 77"},
+    {"bisect",   0,   NULL,         GATE,             FLAG,       AT(bisect),   "exit codes for git bisect run: 125, skip, in place of 3, 4 and 77; 128, stop, where the command itself is wrong"},
     {"file",     0,   "FILE",       HISTORY,          TEXT,       AT(file),     "the history [shadebench-history.csv]"},
     {"commit",   0,   "ID",         HISTORY,          TEXT,       AT(commit),   "add: what is measured; default: HEAD of the git repository that the shaders lie in"},
     {"date",     0,   "DATE",       HISTORY,          TEXT,       AT(date),     "add: of the commit, as git writes it, such as 2026-11-22T03:02:03+02:00; default: now"},

@@ -54,8 +54,9 @@ static bool least(struct sb_gate_session *session, const struct sb_gate_pair *pa
 }
 
 // The fewest frames for which sides [from, to) all take batch_ms, unless one then takes too long.
+// *failed: the side where it failed.
 static bool calibrate_sides(struct sb_gate_session *session, struct sb_gate_pair *pair,
-                            int from, int to, struct sb_error *err)
+                            int from, int to, enum sb_side *failed, struct sb_error *err)
 {
     const struct sb_measure_settings *settings = session->params->settings;
     const double wanted = settings->batch_ms * 1e6;
@@ -64,6 +65,7 @@ static bool calibrate_sides(struct sb_gate_session *session, struct sb_gate_pair
         double shorter = INFINITY, longer = 0;
         for (int side = from; side < to; side++) {
             double ns;
+            *failed = (enum sb_side)side;
             if (!least(session, pair, side, batch, &ns, err))
                 return false;
             shorter = fmin(shorter, ns);
@@ -81,12 +83,12 @@ static bool calibrate_sides(struct sb_gate_session *session, struct sb_gate_pair
 }
 
 static bool calibrate(struct sb_gate_session *session, struct sb_gate_pair *pair,
-                      struct sb_error *err)
+                      enum sb_side *failed, struct sb_error *err)
 {
     if (!session->params->own_batches)
-        return calibrate_sides(session, pair, 0, SB_SIDES, err);
+        return calibrate_sides(session, pair, 0, SB_SIDES, failed, err);
     for (int side = 0; side < SB_SIDES; side++)
-        if (!calibrate_sides(session, pair, side, side + 1, err))
+        if (!calibrate_sides(session, pair, side, side + 1, failed, err))
             return false;
     return true;
 }
@@ -131,10 +133,28 @@ bool sb_gate_pair_shoot(struct sb_gate_session *session, const struct sb_gate_pa
     return good;
 }
 
-static void fail_pair(struct sb_gate_pair *pair, const struct sb_error *err)
+static void fail_pair(struct sb_gate_pair *pair, enum sb_side side,
+                      const struct sb_error *err)
 {
-    sb_task_fail(&pair->task[SB_HEAD], err);
+    sb_task_fail(&pair->task[side], err);
     pair->active = false;
+}
+
+// Before the pairs, a side at a time: whose fault it is is known.
+static bool ready_sides(struct sb_gate_session *session, struct sb_gate_pair *pair,
+                        bool proven, enum sb_side *side, struct sb_error *err)
+{
+    struct sb_sample sample[SB_SIDES];
+    for (*side = SB_BASE; !proven && *side < SB_SIDES; (*side)++)
+        if (!check_metric(session, pair, (int)*side, err))
+            return false;
+    if (!calibrate(session, pair, side, err))
+        return false;
+    *side = SB_HEAD;
+    for (int r = 0; r < WARM_ROUNDS; r++)
+        if (!sb_gate_pair_shoot(session, pair, r % 2 ? SB_HEAD : SB_BASE, sample, err))
+            return false;
+    return true;
 }
 
 bool sb_gate_make_ready(struct sb_gate_session *session, struct sb_error *err)
@@ -143,20 +163,18 @@ bool sb_gate_make_ready(struct sb_gate_session *session, struct sb_error *err)
     for (int i = 0; i < session->pair_count && !sb_interrupted(); i++) {
         struct sb_gate_pair *pair = &session->pair[i];
         struct sb_error failure = {0};
-        struct sb_sample sample[SB_SIDES];
+        enum sb_side side;
         pair->active = sb_gate_pair_timed(pair);
         if (!pair->active)
             continue;
-        if (!proven && (!check_metric(session, pair, SB_BASE, err) ||
-                        !check_metric(session, pair, SB_HEAD, err)))
+        if (ready_sides(session, pair, proven, &side, &failure)) {
+            proven = true;
+        } else if (failure.status == SB_NO_TIMER) { // of all variants
+            *err = failure;
             return false;
-        proven = true;
-        bool good = calibrate(session, pair, &failure);
-        for (int r = 0; good && r < WARM_ROUNDS; r++)
-            good = sb_gate_pair_shoot(session, pair, r % 2 ? SB_HEAD : SB_BASE, sample,
-                                      &failure);
-        if (!good)
-            fail_pair(pair, &failure);
+        } else {
+            fail_pair(pair, side, &failure);
+        }
     }
     return true;
 }
@@ -216,13 +234,13 @@ static void measure_pair(struct sb_gate_rounds *rounds, int place, int round,
     struct sb_error failure = {0};
     const enum sb_side first = (round + place) % 2 ? SB_HEAD : SB_BASE;
     if (!sb_gate_pair_shoot(session, pair, first, sample, &failure)) {
-        fail_pair(pair, &failure);
+        fail_pair(pair, SB_HEAD, &failure);
         return;
     }
     sb_gate_pair_row(session, pair, round, first, sample, &row[(*row_count)++]);
     for (int side = 0; side < SB_SIDES; side++) {
         if (!sb_driver_holds(&session->driver[side], sample[side].job, &failure)) {
-            fail_pair(pair, &failure);
+            fail_pair(pair, (enum sb_side)side, &failure);
             return;
         }
     }
@@ -238,6 +256,18 @@ static void look(struct sb_gate_rounds *rounds, struct sb_gate_pair *pair, bool 
         scratch);
     pair->active = pair->reading.verdict == SB_GATE_OPEN;
     free(scratch);
+}
+
+// Verdicts are read from what is on disk, and from nothing else.
+static void forget_unwritten(struct sb_gate_rounds *rounds)
+{
+    struct sb_gate_session *session = rounds->session;
+    for (int i = 0; i < session->pair_count; i++) {
+        struct sb_gate_pair *pair = &session->pair[i];
+        pair->count = pair->written;
+        if (pair->active)
+            look(rounds, pair, true);
+    }
 }
 
 static int find_active(const struct sb_gate_session *session, int *active)
@@ -280,11 +310,16 @@ static bool loop(struct sb_gate_rounds *rounds, int *active, int *order,
         sb_schedule_order((uint64_t)session->params->settings->seed, count, round, order);
         for (int i = 0; i < count; i++)
             measure_pair(rounds, active[order[i]], round, row, &rows);
-        if (rounds->file && !sb_row_file_add(rounds->file, row, rows, sizeof *row, err))
+        if (rounds->file && !sb_row_file_add(rounds->file, row, rows, sizeof *row, err)) {
+            forget_unwritten(rounds);
             return false;
-        for (int i = 0; i < count; i++)
-            if (session->pair[active[i]].active)
-                look(rounds, &session->pair[active[i]], false);
+        }
+        for (int i = 0; i < count; i++) {
+            struct sb_gate_pair *pair = &session->pair[active[i]];
+            pair->written = pair->count;
+            if (pair->active)
+                look(rounds, pair, false);
+        }
     }
 }
 

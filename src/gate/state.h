@@ -16,6 +16,7 @@ struct sb_gate_pair { // one plan entry, on both sides
     int batch[SB_SIDES]; // frames; the same on both sides, unless params->own_batches
     double *value[SB_SIDES];
     int count, capacity; // pairs
+    int written;         // of them, on disk
     struct sb_gate_reading reading;
 };
 
