@@ -94,16 +94,21 @@ static bool calibrate(struct sb_gate_session *session, struct sb_gate_pair *pair
 }
 
 // K frames in one batch must take what K frames take that are drained one by one, or nearly:
-// else the driver drops draws that nobody will see, and the metric compares the wrong work.
+// else the driver drops draws that nobody will see, and the metric compares the wrong work. A frame
+// must be long enough for its draining to count for little; *judged tells whether it was.
 static bool check_metric(struct sb_gate_session *session, const struct sb_gate_pair *pair,
-                         int side, struct sb_error *err)
+                         int side, bool *judged, struct sb_error *err)
 {
     enum { FRAMES = 4 };
     double one, batch;
-    if (!least(session, pair, side, 1, &one, err) ||
-        !least(session, pair, side, FRAMES, &batch, err))
+    if (!least(session, pair, side, 1, &one, err))
         return false;
-    return batch >= 0.7 * FRAMES * one || one < 1e5 ||
+    *judged = one >= 1e6;
+    if (!*judged)
+        return true;
+    if (!least(session, pair, side, FRAMES, &batch, err))
+        return false;
+    return batch >= 0.7 * FRAMES * one ||
            sb_fail(
                err, SB_NO_TIMER,
                "%s of %d frames in one batch is %.2f of that of as many frames drained "
@@ -142,12 +147,14 @@ static void fail_pair(struct sb_gate_pair *pair, enum sb_side side,
 
 // Before the pairs, a side at a time: whose fault it is is known.
 static bool ready_sides(struct sb_gate_session *session, struct sb_gate_pair *pair,
-                        bool proven, enum sb_side *side, struct sb_error *err)
+                        bool *proven, enum sb_side *side, struct sb_error *err)
 {
     struct sb_sample sample[SB_SIDES];
-    for (*side = SB_BASE; !proven && *side < SB_SIDES; (*side)++)
-        if (!check_metric(session, pair, (int)*side, err))
+    bool judged[SB_SIDES] = {*proven, *proven};
+    for (*side = SB_BASE; !*proven && *side < SB_SIDES; (*side)++)
+        if (!check_metric(session, pair, (int)*side, &judged[*side], err))
             return false;
+    *proven = judged[SB_BASE] && judged[SB_HEAD];
     if (!calibrate(session, pair, side, err))
         return false;
     *side = SB_HEAD;
@@ -167,14 +174,13 @@ bool sb_gate_make_ready(struct sb_gate_session *session, struct sb_error *err)
         pair->active = sb_gate_pair_timed(pair);
         if (!pair->active)
             continue;
-        if (ready_sides(session, pair, proven, &side, &failure)) {
-            proven = true;
-        } else if (failure.status == SB_NO_TIMER) { // of all variants
+        if (ready_sides(session, pair, &proven, &side, &failure))
+            continue;
+        if (failure.status == SB_NO_TIMER) { // of all variants
             *err = failure;
             return false;
-        } else {
-            fail_pair(pair, side, &failure);
         }
+        fail_pair(pair, side, &failure);
     }
     return true;
 }
