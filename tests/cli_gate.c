@@ -2,7 +2,7 @@
 #include "cli_fixture.h"
 
 // Two equal sides with other names: everything passes, as the null runner draws both alike.
-#define NULL_GATE "gate --context null -q "
+#define NULL_GATE "gate --context null --scene containers -q "
 #define EQUAL     NULL_GATE "--sweep point=1,2 --keep-equal --base $BASE "
 // Head has more lights, which cost more on the null runner, too.
 #define SLOWER NULL_GATE "--base-set point=1 --head-set point=64 "

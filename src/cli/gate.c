@@ -92,9 +92,10 @@ static bool add_assignments(struct sb_assignments *list,
 static bool load_suites(struct sides *sides, const struct sb_options *options,
                         struct sb_arena *arena, struct sb_error *err)
 {
-    const char *word = options->word_count          ? options->word[0]
-                       : sb_cli_is_planned(options) ? NULL
-                                                    : "ci";
+    // Two variants are a plan of their own; for those of a suite, name it.
+    const bool planned =
+        sb_cli_is_planned(options) || options->base_set.count || options->head_set.count;
+    const char *word = options->word_count ? options->word[0] : planned ? NULL : "ci";
     const char *path = word ? sb_cli_suite_path(word, sides->data, arena, err) : NULL;
     if (word && !path)
         return false;

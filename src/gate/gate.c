@@ -175,6 +175,10 @@ static bool write_rows(struct sb_gate_state *gate, struct sb_error *err)
 
 // --- confirmations -------------------------------------------------------------------------------
 
+// A guard, not a budget: fewer pairs than all decide nothing, and these take seconds, unless a frame
+// takes a quarter of one.
+enum { CONFIRM_SECONDS = 60 };
+
 // One candidate, alone, in a fresh process. What cannot be measured again is not confirmed, and
 // says so.
 static bool confirm(struct sb_gate_state *gate, int i, int process, struct sb_error *err)
@@ -197,7 +201,7 @@ static bool confirm(struct sb_gate_state *gate, int i, int process, struct sb_er
         .session = &fresh,
         .rule = &gate->params.rule,
         .fixed = true,
-        .seconds = fmax(gate->params.settings->budget, 10),
+        .seconds = fmax(gate->params.settings->budget, CONFIRM_SECONDS),
         .file = gate->pairs,
         .arena = &gate->arena,
     };
