@@ -63,6 +63,15 @@ static bool check_equal(const struct sb_suite *suite, struct sb_error *err)
     return true;
 }
 
+const char *sb_platform_differs(const struct sb_suite *a, const struct sb_suite *b)
+{
+    for (int axis = 0; axis < a->axes.count; axis++)
+        if (a->axes.row[axis].kind == SB_PLATFORM && axis != SB_AXIS_GLSL &&
+            a->entry[0].variant.value[axis] != b->entry[0].variant.value[axis])
+            return a->axes.row[axis].name;
+    return NULL;
+}
+
 bool sb_platform_apply(const struct sb_suite *suite, struct sb_context_params *params,
                        struct sb_error *err)
 {

@@ -11,6 +11,10 @@
 bool sb_platform_apply(const struct sb_suite *suite, struct sb_context_params *params,
                        struct sb_error *err);
 
+// The first platform axis on which two plans differ, so that no driver can draw both; NULL: none. As
+// among the variants of a plan, the GLSL version may differ.
+const char *sb_platform_differs(const struct sb_suite *a, const struct sb_suite *b);
+
 // Writes what was found back into the variant, so that results name the context, not "auto".
 void sb_platform_record(const struct sb_caps *caps, struct sb_variant *variant);
 

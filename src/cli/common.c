@@ -72,6 +72,18 @@ const char *sb_cli_suite_path(const char *word, const char *data_dir,
     return NULL;
 }
 
+bool sb_cli_is_planned(const struct sb_options *options)
+{
+    const struct sb_axes *axes = sb_axes_builtin();
+    bool planned =
+        options->preset || options->scene || options->sweep.count || options->cross.count;
+    for (int i = 0; i < options->set.count; i++) {
+        const int axis = sb_axes_find(axes, options->set.item[i].axis);
+        planned |= axis < 0 || axes->row[axis].kind != SB_PLATFORM;
+    }
+    return planned;
+}
+
 bool sb_cli_load_suite(const struct sb_options *options, const char *path,
                        const char *data_dir, struct sb_suite *suite, struct sb_error *err)
 {
@@ -168,6 +180,15 @@ bool sb_cli_driver_params(const struct sb_options *options, const struct sb_suit
         return sb_fail(err, SB_NO_GL, "built without GL: only --context null is there");
 #endif
     return true;
+}
+
+bool sb_cli_pin_threads(const struct sb_suite *suite)
+{
+    const int axis = sb_axes_find(&suite->axes, "threads");
+    if (getenv("LP_NUM_THREADS") ||
+        (axis >= 0 && suite->entry[0].variant.value[axis] >= 0))
+        return false;
+    return setenv("LP_NUM_THREADS", "1", 1) == 0;
 }
 
 bool sb_cli_read_share(const char *option, const char *text, double *share,

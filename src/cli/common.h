@@ -16,6 +16,7 @@ int sb_cmd_compare(const struct sb_options *options, int argc, char **argv);
 int sb_cmd_fit(const struct sb_options *options, int argc, char **argv);
 int sb_cmd_plan(const struct sb_options *options, int argc, char **argv);
 int sb_cmd_gate(const struct sb_options *options, int argc, char **argv);
+int sb_cmd_history(const struct sb_options *options, int argc, char **argv);
 int sb_cmd_run(const struct sb_options *options, int argc, char **argv);
 
 // Prints the error and returns its exit code.
@@ -31,6 +32,9 @@ bool sb_cli_fail_axis(const char *what, const char *word, const char *value,
 const char *sb_cli_suite_path(const char *word, const char *data_dir,
                               struct sb_arena *arena, struct sb_error *err);
 
+// Do the options say what to draw? --context and its like only say where.
+bool sb_cli_is_planned(const struct sb_options *options);
+
 // Loads the suite that the options ask for: `path`, or without one (NULL) --set
 // and --sweep alone.
 bool sb_cli_load_suite(const struct sb_options *options, const char *path,
@@ -45,6 +49,10 @@ bool sb_cli_add_variant(const char *word, struct sb_options *options,
 // From options and the suite's platform axes; sets the driver's environment.
 bool sb_cli_driver_params(const struct sb_options *options, const struct sb_suite *suite,
                           struct sb_driver_params *params, struct sb_error *err);
+
+// Two raster threads may share a core for a while or not: with one the level of a software driver
+// stands still (docs/method.md). Whoever has set a number keeps it. Returns whether it was set here.
+bool sb_cli_pin_threads(const struct sb_suite *suite);
 
 // "2%" or "0.02", of the option called `option`. SB_USAGE.
 bool sb_cli_read_share(const char *option, const char *text, double *share,

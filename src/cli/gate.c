@@ -2,10 +2,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "assemble/platform.h"
 #include "base/clock.h"
 #include "base/file.h"
 #include "base/log.h"
 #include "cli/gate.h"
+#include "cli/results.h"
 #include "cli/shader_tree.h"
 #include "cli/write.h"
 #include "measure/interrupt.h"
@@ -20,6 +22,24 @@ struct sides {
 };
 
 // --- what the sides are --------------------------------------------------------------------------
+
+// A gate stops when it is sure, not when an interval is narrow. What a suite says of that is for `run`.
+static bool check_settings(const struct sb_options *options, struct sb_error *err)
+{
+    static const char *const valid[] = {"budget", "batch_ms", "batch", "seed"};
+    enum { VALID = sizeof valid / sizeof *valid };
+    for (int i = 0; i < options->setting.count; i++) {
+        int v = 0;
+        while (v < VALID && strcmp(options->setting.item[i].axis, valid[v]) != 0)
+            v++;
+        if (v == VALID)
+            return sb_fail(err, SB_USAGE,
+                           "%s says nothing to a gate, which stops where it is sure; "
+                           "valid: --budget, --batch-ms, --batch, --seed",
+                           options->setting.item[i].origin);
+    }
+    return true;
+}
 
 static bool check_words(const struct sb_options *options, struct sb_error *err)
 {
@@ -38,7 +58,10 @@ static bool check_words(const struct sb_options *options, struct sb_error *err)
                        "gate holds head against base: --base SHADERS (a folder or a git "
                        "revision), --base-set AXIS=VALUE, --base-env NAME=VALUE, or "
                        "--selftest");
-    return true;
+    if (options->bisect && options->selftest)
+        return sb_fail(err, SB_USAGE,
+                       "--bisect wants verdicts, and --selftest gives none");
+    return check_settings(options, err);
 }
 
 // --base-env NAME=VALUE, as the runner takes it.
@@ -69,8 +92,9 @@ static bool add_assignments(struct sb_assignments *list,
 static bool load_suites(struct sides *sides, const struct sb_options *options,
                         struct sb_arena *arena, struct sb_error *err)
 {
-    const bool planned = options->preset || options->sweep.count ||
-                         options->cross.count || options->set.count;
+    // Two variants are a plan of their own; for those of a suite, name it.
+    const bool planned =
+        sb_cli_is_planned(options) || options->base_set.count || options->head_set.count;
     const char *word = options->word_count ? options->word[0] : planned ? NULL : "ci";
     const char *path = word ? sb_cli_suite_path(word, sides->data, arena, err) : NULL;
     if (word && !path)
@@ -135,22 +159,19 @@ static const char *describe(const struct sides *sides, const struct sb_options *
     return said;
 }
 
-// Two raster threads may share a core for a while or not: with one the level of a software
-// driver stands still (docs/method.md). Whoever has set a number keeps it.
-static bool pin_threads(const struct sb_suite *suite)
-{
-    const int axis = sb_axes_find(&suite->axes, "threads");
-    if (getenv("LP_NUM_THREADS") ||
-        (axis >= 0 && suite->entry[0].variant.value[axis] >= 0))
-        return false;
-    return setenv("LP_NUM_THREADS", "1", 1) == 0;
-}
-
 static bool find_drivers(struct sides *sides, const struct sb_options *options,
                          struct sb_arena *arena, struct sb_error *err)
 {
     const struct sb_assignments *environment[SB_SIDES] = {&options->base_env,
                                                           &options->head_env};
+    const char *differs =
+        sb_platform_differs(&sides->suite[SB_BASE], &sides->suite[SB_HEAD]);
+    if (differs)
+        return sb_fail(
+            err, SB_BAD_INPUT,
+            "base and head have another %s; of what is outside of the shaders, "
+            "the environment may differ: --base-env and --head-env",
+            differs);
     for (int side = 0; side < SB_SIDES; side++) {
         struct sb_driver_params *driver = &sides->params.side[side].driver;
         if (!sb_cli_driver_params(&sides->options[side], &sides->suite[side], driver,
@@ -163,16 +184,10 @@ static bool find_drivers(struct sides *sides, const struct sb_options *options,
         return sb_fail(err, SB_USAGE,
                        "--in-process has one environment: leave out --base-env and "
                        "--head-env");
-    const struct sb_context_params *base = &sides->params.side[SB_BASE].driver.context;
-    const struct sb_context_params *head = &sides->params.side[SB_HEAD].driver.context;
-    if (strcmp(base->context, head->context) != 0 || base->gles != head->gles)
-        return sb_fail(err, SB_BAD_INPUT,
-                       "base and head have different platform axes; of those, "
-                       "--base-env and --head-env can differ");
     if (!sb_metric_find(options->metric, &sides->params.metric, err))
         return false;
     sides->pinned = sides->params.metric != SB_METRIC_INSTRUCTIONS &&
-                    pin_threads(&sides->suite[SB_BASE]);
+                    sb_cli_pin_threads(&sides->suite[SB_BASE]);
     return true;
 }
 
@@ -217,17 +232,28 @@ static int show(const struct sb_gate_shown *shown)
     return code;
 }
 
-static int bisect_code(int code)
+// For git bisect run, to which 1 to 127 are "bad", 125 is "cannot be tested" and more ends the
+// bisection: so does a command line or folder that is wrong at every commit.
+static int bisect_code(int code, const struct sb_error *err)
 {
-    const bool skip = code == sb_status_rows[SB_NO_GL].exit_code ||
-                      code == sb_status_rows[SB_SAMPLES_INVALID].exit_code ||
-                      code == sb_status_rows[SB_INCONCLUSIVE].exit_code;
-    return skip ? 125 : code;
+    enum { SKIP = 125, STOP = 128 };
+    if (sb_status_rows[err->status].exit_code == sb_status_rows[SB_USAGE].exit_code)
+        return STOP;
+    return code > 1 && code < SKIP ? SKIP : code;
 }
 
-static int judge(struct sides *sides, const struct sb_options *options)
+// Variants of which nothing is known: neither slower nor not, or base had nothing to compare with.
+static int count_unjudged(const struct sb_gate_result *result)
 {
-    struct sb_error err = {0};
+    int count = result->count[SB_GATE_INCONCLUSIVE];
+    for (int i = 0; i < result->row_count; i++)
+        count += sb_gate_base_failed(&result->row[i]);
+    return count;
+}
+
+static int judge(struct sides *sides, const struct sb_options *options,
+                 struct sb_error *err)
+{
     struct sb_gate_result result = {0};
     struct sb_gate_shown shown = {
         .options = options,
@@ -239,22 +265,22 @@ static int judge(struct sides *sides, const struct sb_options *options)
         .pinned = sides->pinned,
         .cases_lost = -1,
     };
-    bool good = sb_gate_run(&sides->params, &result, &err);
+    bool good = sb_gate_run(&sides->params, &result, err);
     int code = result.exit_code;
-    if (good && options->hard_cases) {
-        shown.cases_lost = sb_gate_cases(options, &sides->params, &err);
+    if (good && options->hard_cases && !result.interrupted) {
+        shown.cases_lost = sb_gate_cases(&sides->params, err);
         good = shown.cases_lost >= 0;
         if (shown.cases_lost > 0)
             code = sb_exit_code_worse(code, sb_status_rows[SB_WORSE_PICTURE].exit_code);
     }
-    if (options->fail_on_inconclusive && result.count[SB_GATE_INCONCLUSIVE] > 0)
+    if (options->fail_on_inconclusive && count_unjudged(&result) > 0)
         code = sb_exit_code_worse(code, sb_status_rows[SB_INCONCLUSIVE].exit_code);
     if (result.row)
         code = sb_exit_code_worse(code, show(&shown));
     if (!good)
-        code = sb_exit_code_worse(code, sb_cli_fail(&err));
+        code = sb_exit_code_worse(code, sb_cli_fail(err));
     sb_gate_result_free(&result);
-    return options->bisect ? bisect_code(code) : code;
+    return code;
 }
 
 int sb_cmd_gate(const struct sb_options *options, int argc, char **argv)
@@ -271,6 +297,7 @@ int sb_cmd_gate(const struct sb_options *options, int argc, char **argv)
                      ? options->output
                      : sb_arena_printf(&arena, "shadebench-results/gate-%s", now);
     sb_interrupt_install();
+    sb_results_warn_gate(sides->dir);
     if (arguments && sides->data && check_words(options, &err) &&
         sb_outputs_check(options, &err) && load_suites(sides, options, &arena, &err) &&
         find_folders(sides, options, &arena, &err) &&
@@ -278,10 +305,12 @@ int sb_cmd_gate(const struct sb_options *options, int argc, char **argv)
         fill_params(sides, options, arguments, &err)) {
         for (int side = 0; side < SB_SIDES; side++)
             sides->said[side] = describe(sides, options, side, &arena);
-        code = judge(sides, options);
+        code = judge(sides, options, &err);
     } else {
         code = sb_cli_fail(&err);
     }
+    if (options->bisect)
+        code = bisect_code(code, &err);
     for (int side = 0; side < SB_SIDES; side++)
         sb_suite_free(&sides->suite[side]);
     free(sides);

@@ -26,5 +26,7 @@ void sb_gate_export(const struct sb_gate_shown *shown, struct sb_arena *arena,
 
 // Verifies the hard cases with both shader folders, and tells of each cell that base passes and
 // head does not; their number, or -1 where one of the runs failed (*err).
-int sb_gate_cases(const struct sb_options *options, const struct sb_gate_params *params,
-                  struct sb_error *err);
+int sb_gate_cases(const struct sb_gate_params *params, struct sb_error *err);
+
+// Was head sound, and base alone could not be drawn or timed?
+bool sb_gate_base_failed(const struct sb_gate_row *row);

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/environment.h"
 #include "base/file.h"
 #include "base/log.h"
 #include "cli/gate.h"
@@ -13,18 +14,25 @@
 
 // True where it has judged: exit code 0, or 1 with cases that fail.
 static bool verify(const struct sb_gate_params *params, int side, const char *program,
-                   const char *dir, const char *api)
+                   const char *dir)
 {
     int status = 0;
-    const char *const words[] = {
-        program, "verify", "--form",  "robust", "--shaders", params->side[side].shaders,
-        "-o",    dir,      "--quiet", "--api",  api,         "--json",
-        NULL};
+    const struct sb_context_params *context = &params->side[side].driver.context;
+    const char *const words[] = {program,     "verify",
+                                 "--form",    "robust",
+                                 "--shaders", params->side[side].shaders,
+                                 "--data",    params->data_dir,
+                                 "-o",        dir,
+                                 "--context", context->context,
+                                 "--api",     context->gles ? "gles" : "gl",
+                                 "--quiet",   "--json",
+                                 NULL};
     fflush(NULL);
     const pid_t pid = fork();
     if (pid == 0) {
         if (!freopen("/dev/null", "w", stdout))
             _exit(126);
+        sb_environment_apply(context->environment, context->environment_count);
         execv(program, (char *const *)words);
         _exit(127);
     }
@@ -81,20 +89,17 @@ static int count_lost(const struct sb_csv *base, const struct sb_csv *head,
     return lost;
 }
 
-int sb_gate_cases(const struct sb_options *options, const struct sb_gate_params *params,
-                  struct sb_error *err)
+int sb_gate_cases(const struct sb_gate_params *params, struct sb_error *err)
 {
     struct sb_arena arena = {0};
     struct sb_csv csv[SB_SIDES] = {{0}};
     const char *program = sb_executable(&arena, err);
-    const char *api = params->side[SB_HEAD].driver.context.gles ? "gles" : "gl";
     int lost = -1;
-    (void)options;
     for (int side = 0; program && side < SB_SIDES; side++) {
         const char *dir =
             sb_arena_printf(&arena, "%s/cases-%s", params->dir, sb_side_names[side]);
         sb_info("verifying the hard cases of %s", sb_side_names[side]);
-        if (!verify(params, side, program, dir, api)) {
+        if (!verify(params, side, program, dir)) {
             sb_fail(
                 err, SB_INTERNAL,
                 "the hard cases of %s cannot be judged: shadebench verify --shaders %s "

@@ -5,6 +5,13 @@
 
 #include "cli/gate.h"
 
+bool sb_gate_base_failed(const struct sb_gate_row *row)
+{
+    return row->verdict && row->status_of &&
+           sb_gate_verdict_find(row->verdict) == SB_GATE_INVALID &&
+           strcmp(row->status_of, sb_side_names[SB_BASE]) == 0;
+}
+
 static enum sb_export_outcome outcome_of(const struct sb_gate_row *row)
 {
     const enum sb_status status = sb_status_find(row->status);
@@ -12,6 +19,8 @@ static enum sb_export_outcome outcome_of(const struct sb_gate_row *row)
         return SB_EXPORT_FAILED;
     if (!row->verdict)
         return SB_EXPORT_PASSED; // of a self-test
+    if (sb_gate_base_failed(row))
+        return SB_EXPORT_SKIPPED; // nothing to hold head against, which is no fault of its
     switch (sb_gate_verdict_find(row->verdict)) {
     case SB_GATE_REGRESSION:
         return SB_EXPORT_FAILED;

@@ -51,7 +51,9 @@ static void print_head(const struct sb_gate_shown *shown)
         printf("driver%s%s: %s, %s%s\n", apart ? " of " : "",
                apart ? sb_side_names[side] : "", result->caps[side].renderer,
                result->caps[side].version,
-               shown->pinned ? ", LP_NUM_THREADS=1 (pinned; set it to keep yours)" : "");
+               shown->pinned && result->caps[side].software
+                   ? ", LP_NUM_THREADS=1 (pinned; set it to keep yours)"
+                   : "");
     printf("metric: %s (%s)%s\n", sb_metric_rows[result->metric].name, result->timer,
            result->caps[SB_BASE].software
                ? "; ratios are those of a CPU driver, not of a GPU"
@@ -62,9 +64,10 @@ static void print_head(const struct sb_gate_shown *shown)
     }
     printf("rule: tolerance %.3g %%, alpha %.3g %% over %d timed variants, looks at %d "
            "to %d "
-           "pairs, candidates confirmed by %d pairs in a fresh process\n\n",
+           "pairs, candidates confirmed by %d pairs in a fresh %s\n\n",
            100 * rule->tolerance, 100 * rule->alpha, rule->variants, rule->looks.first,
-           rule->looks.rounds, rule->confirm_pairs);
+           rule->looks.rounds, rule->confirm_pairs,
+           shown->options->in_process ? "context of this process" : "process");
 }
 
 // What tells the variants apart, as tables of runs have it.
@@ -107,7 +110,10 @@ static void print_row(struct sb_table *table, const struct names *names, int i,
         sb_table_cell(table, NULL);
     sb_table_cell(table, row->picture);
     sb_table_cell(table, row->verdict);
-    sb_table_cell(table, strcmp(row->status, "ok") == 0 ? NULL : row->status);
+    if (row->status_of)
+        sb_table_cellf(table, "%s: %s", row->status_of, row->status);
+    else
+        sb_table_cell(table, NULL);
 }
 
 static void print_table(const struct sb_gate_result *result, const struct sb_suite *suite)
@@ -175,7 +181,7 @@ static void print_bias(const struct sb_gate_shown *shown)
         printf("a tolerance of %.3g %% is at least twice that: it can be used here\n",
                100 * tolerance);
     else
-        printf("a tolerance of %.3g %% is under twice that: refused; --tolerance %.2g%% "
+        printf("a tolerance of %.3g %% is under twice that: refused; --tolerance %.1f%% "
                "or more, "
                "or a quieter machine\n",
                100 * tolerance, ceil(20 * 100 * bias->bias) / 10);

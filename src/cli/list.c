@@ -10,6 +10,7 @@
 #include "export/export.h"
 #include "gate/metric.h"
 #include "results/gate_row.h"
+#include "results/history_row.h"
 #include "stats/gate.h"
 #include "scene/scene.h"
 #ifdef SB_HAVE_GL
@@ -174,6 +175,7 @@ static bool list_columns(struct listing *listing, const struct sb_options *optio
     add_columns(listing, "cases.csv", sb_case_columns, sb_case_column_count);
     add_columns(listing, "gate.csv", sb_gate_columns, sb_gate_column_count);
     add_columns(listing, "pairs.csv", sb_pair_columns, sb_pair_column_count);
+    add_columns(listing, "history", sb_history_columns, sb_history_column_count);
     return true;
 }
 

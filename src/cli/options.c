@@ -18,12 +18,17 @@ enum {
     FIT = 128,
     PLANNER = 256,
     GATE = 512,
-    ALL = 1023
+    HISTORY = 1024,
+    ALL = 2047
 };
-enum { PLAN = RUN | SHOW | VERIFY | EXPLAIN | GATE }; // commands that take variants
-enum { MEASURE = RUN | GATE };                        // those that take measure settings
-enum { WORKERS = RUN | PROBE | EXPLAIN | GATE };      // those that may draw by a worker
-enum { OFFLINE = LIST | COMPARE | FIT | PLANNER };    // those that are of no platform
+enum {
+    PLAN = RUN | SHOW | VERIFY | EXPLAIN | GATE | HISTORY
+};                                       // commands that take variants
+enum { MEASURE = RUN | GATE | HISTORY }; // those that take measure settings
+enum {
+    WORKERS = RUN | PROBE | EXPLAIN | GATE | HISTORY
+};                                                 // those that may draw by a worker
+enum { OFFLINE = LIST | COMPARE | FIT | PLANNER }; // those that are of no platform
 
 enum option_type { FLAG, TEXT, ASSIGNMENT, OUTPUT };
 
@@ -84,15 +89,24 @@ static const struct option options_table[] = {
     {"base-env", 0,   "NAME=VALUE", GATE,             ASSIGNMENT, AT(base_env), "two environments: set a variable for base's process; may be repeated"},
     {"head-env", 0,   "NAME=VALUE", GATE,             ASSIGNMENT, AT(head_env), "and for head's"},
     {"tolerance",0,   "SHARE",      GATE,             TEXT,       AT(tolerance),"what head may cost more, as 2% or 0.02 [2%; of instructions 0.5%]"},
-    {"metric",   0,   "NAME",       GATE,             TEXT,       AT(metric),   "what is compared (shadebench list metrics); default: cpu where a CPU draws, else gpu"},
+    {"metric",   0,   "NAME",       GATE|HISTORY,     TEXT,       AT(metric),   "what is measured (shadebench list metrics); default: cpu where a CPU draws, else gpu"},
     {"selftest", 0,   NULL,         GATE,             FLAG,       AT(selftest), "hold base against itself, renamed: how much does this machine favour one of two equal programs? Exit code 3: more than half the tolerance"},
     {"keep-equal", 0, NULL,         GATE,             FLAG,       AT(keep_equal), "time variants whose final sources are equal, too: a gate that must not alarm"},
     {"cases",    0,   NULL,         GATE,             FLAG,       AT(hard_cases), "verify the hard cases on both sides, too: exit code 1 where one that base passes fails"},
     {"fail-on-inconclusive", 0, NULL, GATE,           FLAG,       AT(fail_on_inconclusive), "exit code 4 where a variant is neither clearly slower nor clearly not"},
-    {"bisect",   0,   NULL,         GATE,             FLAG,       AT(bisect),   "exit codes for git bisect run: 125, skip, in place of 3, 4 and 77"},
-    {"timer",    0,   "NAME",       RUN|PROBE|VERIFY|GATE, TEXT,       AT(timer),    "timer source to use, if its audit allows; default: auto"},
+    {"bisect",   0,   NULL,         GATE,             FLAG,       AT(bisect),   "exit codes for git bisect run: 125, skip, in place of 3, 4 and 77; 128, stop, where the command itself is wrong"},
+    {"file",     0,   "FILE",       HISTORY,          TEXT,       AT(file),     "the history [shadebench-history.csv]"},
+    {"commit",   0,   "ID",         HISTORY,          TEXT,       AT(commit),   "add: what is measured; default: HEAD of the git repository that the shaders lie in"},
+    {"date",     0,   "DATE",       HISTORY,          TEXT,       AT(date),     "add: of the commit, as git writes it, such as 2026-11-22T03:02:03+02:00; default: now"},
+    {"pairs",    0,   "N",          HISTORY,          TEXT,       AT(pairs),    "add: pairs of batches of each variant and the anchor in each process [60]"},
+    {"variant",  0,   "GLOB",       HISTORY,          TEXT,       AT(variant),  "show: variants, or SCENE/VARIANT, that match; default: all"},
+    {"tolerance",0,   "SHARE",      HISTORY,          TEXT,       AT(tolerance),"show: what is no change of level, as 2% or 0.02 [2%]"},
+    {"wide",     0,   NULL,         HISTORY,          FLAG,       AT(wide),     "show: CSV with a column a variant, time,commit,…, as Otava reads it, of the rows that go with the last one"},
+    {"check",    0,   NULL,         HISTORY,          FLAG,       AT(check),    "show: exit code 1 where a level is above the first by more than the tolerance, or went up lately"},
+    {"recent",   0,   "N",          HISTORY,          TEXT,       AT(recent),   "show --check: how many commits are lately [10]"},
+    {"timer",    0,   "NAME",       RUN|PROBE|VERIFY|GATE|HISTORY, TEXT,       AT(timer),    "timer source to use, if its audit allows; default: auto"},
     {"pixel",    0,   "X,Y",        EXPLAIN,          TEXT,       AT(pixel),    "the pixel to explain, counted from the lower left"},
-    {"device",   0,   "N",          RUN|PROBE|VERIFY|EXPLAIN|GATE, TEXT,  AT(device),   "EGL device number, where there are several"},
+    {"device",   0,   "N",          RUN|PROBE|VERIFY|EXPLAIN|GATE|HISTORY, TEXT,  AT(device),   "EGL device number, where there are several"},
     {"driver-stats", 0, NULL,      RUN,              FLAG,       AT(driver_stats), "keep what the driver prints of its shaders (instructions, registers), where it does"},
     {"platform", 0,   "NAME",       RUN,              TEXT,       AT(platform), "of a plan over several platforms, only the variants of this one: driver=softpipe"},
     {"worker",   0,   "COMMAND",    WORKERS,          TEXT,       AT(worker),   "what starts a worker: 'ssh HOST shadebench-worker'; default: the one beside this program"},

@@ -1,10 +1,12 @@
 #include "cli/results.h"
 
+#include <jansson.h>
 #include <string.h>
 
 #include "base/file.h"
 #include "base/log.h"
 #include "measure/run.h"
+#include "results/store.h"
 
 // The suite's copy is wanted for the axes that it declares; built-in ones are known without it.
 static void load_axes(const struct sb_options *options, const char *folder,
@@ -25,6 +27,65 @@ static void load_axes(const struct sb_options *options, const char *folder,
         sb_warn("%s; only built-in axes are known", err.text);
 }
 
+// What is missing of a run, from its record.
+static void warn_incomplete(const char *folder, struct sb_arena *arena)
+{
+    struct sb_error ignored;
+    if (!sb_file_exists(sb_path_join(arena, folder, "run.json")))
+        return;
+    json_t *run = sb_store_read_run(folder, &ignored);
+    const json_t *processes = json_object_get(run, "processes"), *process;
+    const json_t *measure = json_object_get(run, "measure");
+    const int started = (int)json_array_size(processes);
+    const int wanted = (int)json_number_value(json_object_get(measure, "processes"));
+    int complete = 0;
+    bool stopped = false;
+    size_t i;
+    json_array_foreach(processes, i, process)
+    {
+        stopped = !json_is_true(json_object_get(process, "complete"));
+        complete += !stopped;
+    }
+    if (stopped)
+        sb_warn(
+            "%s: the run is incomplete: its process %d was stopped, and the rows hold "
+            "what was measured until then; go on with: shadebench run --resume %s",
+            folder, started, folder);
+    else if (run && complete < wanted)
+        sb_warn(
+            "%s: the run is incomplete: %d of %d processes were measured; go on with: "
+            "shadebench run --resume %s",
+            folder, complete, wanted, folder);
+    json_decref(run);
+}
+
+void sb_results_warn_gate(const char *folder)
+{
+    struct sb_arena arena = {0};
+    json_t *gate = json_load_file(sb_path_join(&arena, folder, "gate.json"), 0, NULL);
+    if (gate && !json_is_true(json_object_get(gate, "complete")))
+        sb_warn("%s: the gate there is incomplete: pairs.csv has every pair until it was "
+                "stopped, and no verdict is final; a gate is run anew, with another -o",
+                folder);
+    json_decref(gate);
+    sb_arena_free(&arena);
+}
+
+// SB_BAD_INPUT
+static bool fail_folder(const char *folder, struct sb_arena *arena, struct sb_error *err)
+{
+    if (!sb_file_exists(sb_path_join(arena, folder, "gate.csv")))
+        return sb_fail(err, SB_BAD_INPUT,
+                       "%s: the folder has no summary.csv; a results folder of "
+                       "shadebench run is wanted",
+                       folder);
+    sb_results_warn_gate(folder);
+    return sb_fail(err, SB_BAD_INPUT,
+                   "%s: the folder is that of a gate, whose rows are in gate.csv; a "
+                   "results folder of shadebench run is wanted",
+                   folder);
+}
+
 bool sb_results_load(const struct sb_options *options, const char *word,
                      struct sb_compared *compared, struct sb_arena *arena,
                      struct sb_error *err)
@@ -33,10 +94,7 @@ bool sb_results_load(const struct sb_options *options, const char *word,
     if (sb_dir_exists(word)) {
         compared->path = sb_path_join(arena, word, "summary.csv");
         if (!sb_file_exists(compared->path))
-            return sb_fail(err, SB_BAD_INPUT,
-                           "%s: the folder has no summary.csv; a results folder of "
-                           "shadebench run is wanted",
-                           word);
+            return fail_folder(word, arena, err);
     } else if (sb_file_exists(word)) {
         char *copy = sb_arena_strdup(arena, word);
         char *slash = strrchr(copy, '/');
@@ -52,6 +110,7 @@ bool sb_results_load(const struct sb_options *options, const char *word,
     }
     compared->folder = folder;
     load_axes(options, folder, compared, arena);
+    warn_incomplete(folder, arena);
     return sb_rows_read(compared->path, compared->axes, &compared->rows, err);
 }
 

@@ -12,9 +12,12 @@ struct sb_compared {
     struct sb_rows rows;
 };
 
-// `word` is a results folder or its summary.csv. *compared must be zeroed; free also after
+// `word` is a results folder or its summary.csv. Of a run that did not end one line is said, with what
+// it lacks and how to go on. *compared must be zeroed; free also after
 // failure. The paths live in the arena.
 bool sb_results_load(const struct sb_options *options, const char *word,
                      struct sb_compared *compared, struct sb_arena *arena,
                      struct sb_error *err);
+// One line where `folder` has a gate that did not end.
+void sb_results_warn_gate(const char *folder);
 void sb_results_free(struct sb_compared *compared);

@@ -51,6 +51,26 @@ static bool check_resume(const struct sb_options *now, struct sb_error *err)
                    what, *value ? " " : "", value);
 }
 
+// Who draws may be another than at first: the one of then may be what has stopped the run. The driver
+// must be the same, which is checked.
+static void take_worker(const struct sb_options *now, struct sb_options *options,
+                        json_t *arguments)
+{
+    if (now->worker) {
+        options->worker = now->worker;
+        json_array_append_new(arguments, json_sprintf("--worker=%s", now->worker));
+    }
+    if (now->worker_limit) {
+        options->worker_limit = now->worker_limit;
+        json_array_append_new(arguments,
+                              json_sprintf("--worker-limit=%s", now->worker_limit));
+    }
+    if (now->in_process && !options->in_process) {
+        options->in_process = true;
+        json_array_append_new(arguments, json_string("--in-process"));
+    }
+}
+
 // --resume: the options of the first start, read from run.json, with those of now over them.
 static bool load_earlier_options(const struct sb_options *now, struct sb_options *options,
                                  json_t **arguments, struct sb_arena *arena,
@@ -94,6 +114,7 @@ static bool load_earlier_options(const struct sb_options *now, struct sb_options
         json_array_append_new(*arguments,
                               json_sprintf("--%s=%s", setting->axis, setting->values));
     }
+    take_worker(now, options, *arguments);
     if (now->data)
         options->data = now->data;
     return true;

@@ -8,8 +8,10 @@
 
 #include "base/file.h"
 
-// Runs a program; what it prints goes to *output, cut at its room, without the last line's end.
-static bool run(const char *const *argv, char *output, size_t room)
+enum { TO_OUTPUT = 1, TO_ERRORS = 2 };
+
+// Runs a program; the first line that it prints to that end goes to *output, cut at its room.
+static bool run_to(int end, const char *const *argv, char *output, size_t room)
 {
     int ends[2], status = -1;
     size_t length = 0;
@@ -18,8 +20,8 @@ static bool run(const char *const *argv, char *output, size_t room)
     const pid_t pid = fork();
     if (pid == 0) {
         const int nothing = open("/dev/null", O_WRONLY);
-        dup2(ends[1], 1);
-        dup2(nothing, 2);
+        dup2(end == TO_OUTPUT ? ends[1] : nothing, 1);
+        dup2(end == TO_ERRORS ? ends[1] : nothing, 2);
         close(ends[0]);
         execvp(argv[0], (char *const *)argv);
         _exit(127);
@@ -36,6 +38,25 @@ static bool run(const char *const *argv, char *output, size_t room)
     output[length] = '\0';
     output[strcspn(output, "\n")] = '\0';
     return pid > 0 && waitpid(pid, &status, 0) == pid && status == 0;
+}
+
+static bool run(const char *const *argv, char *output, size_t room)
+{
+    return run_to(TO_OUTPUT, argv, output, room);
+}
+
+// Why `of` is in no repository, in git's words: that it belongs to somebody else, as in a container,
+// is another thing than that there is none.
+static void fail_repository(const char *word, const char *of, struct sb_error *err)
+{
+    char why[512];
+    run_to(TO_ERRORS,
+           (const char *const[]){"git", "-C", of, "rev-parse", "--show-prefix", NULL},
+           why, sizeof why);
+    sb_fail(err, SB_BAD_INPUT,
+            "%s: there is no such folder, and %s lies in no git repository of which it "
+            "could be a revision%s%s",
+            word, of, why[0] ? "; git says: " : "", why);
 }
 
 static bool unpack(const char *of, const char *tree, const char *into,
@@ -70,11 +91,7 @@ const char *sb_shader_tree(const char *word, const char *of, const char *dir,
     const char *revision = sb_arena_printf(arena, "%s^{commit}", word);
     if (!run((const char *const[]){"git", "-C", of, "rev-parse", "--show-prefix", NULL},
              prefix, sizeof prefix)) {
-        sb_fail(
-            err, SB_BAD_INPUT,
-            "%s: there is no such folder, and %s lies in no git repository of which it "
-            "could be a revision",
-            word, of);
+        fail_repository(word, of, err);
         return NULL;
     }
     if (word[0] == '-' ||
@@ -96,4 +113,26 @@ const char *sb_shader_tree(const char *word, const char *of, const char *dir,
             top, sizeof top))
         root = top;
     return unpack(root, tree, into, arena, err) ? into : NULL;
+}
+
+const char *sb_shader_commit(const char *of, struct sb_arena *arena, struct sb_error *err)
+{
+    char commit[128], changed[128];
+    if (!run(
+            (const char *const[]){"git", "-C", of, "rev-parse", "--verify", "HEAD", NULL},
+            commit, sizeof commit)) {
+        sb_fail(err, SB_USAGE,
+                "--commit ID: which commit is measured? %s lies in no git repository",
+                of);
+        return NULL;
+    }
+    if (!run((const char *const[]){"git", "-C", of, "status", "--porcelain", ".", NULL},
+             changed, sizeof changed) ||
+        changed[0]) {
+        sb_fail(err, SB_USAGE,
+                "--commit ID: what is measured? %s is not what commit %.12s has", of,
+                commit);
+        return NULL;
+    }
+    return sb_arena_strdup(arena, commit);
 }

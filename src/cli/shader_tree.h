@@ -10,3 +10,8 @@
 const char *sb_shader_tree(const char *word, const char *of, const char *dir,
                            const char *name, struct sb_arena *arena,
                            struct sb_error *err);
+
+// The commit that the git repository stands at in which the folder `of` lies; NULL and SB_USAGE where
+// it lies in none, or is not what that commit has.
+const char *sb_shader_commit(const char *of, struct sb_arena *arena,
+                             struct sb_error *err);

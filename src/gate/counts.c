@@ -134,7 +134,7 @@ static bool count_repeats(struct sb_gate_state *gate, struct sb_gate_session *co
                           struct sb_gate_pair *pair, int warm, struct sb_error *failure,
                           struct sb_error *err)
 {
-    pair->batch = 1;
+    pair->batch[SB_BASE] = pair->batch[SB_HEAD] = 1;
     pair->counts.verdict = SB_GATE_OPEN;
     for (int r = -warm; pair->counts.verdict == SB_GATE_OPEN; r++) {
         const enum sb_side first = r % 2 ? SB_HEAD : SB_BASE;
@@ -205,7 +205,8 @@ static void take_first(struct sb_gate_state *gate, int i,
                        const struct sb_gate_pair *counted)
 {
     struct sb_gate_pair *pair = &gate->session.pair[i];
-    pair->batch = counted->batch;
+    pair->batch[SB_BASE] = counted->batch[SB_BASE];
+    pair->batch[SB_HEAD] = counted->batch[SB_HEAD];
     pair->counts = counted->counts;
     for (int side = 0; side < SB_SIDES; side++) {
         pair->value[side] =

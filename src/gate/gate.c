@@ -62,14 +62,14 @@ static double median_frame(const struct sb_gate_pair *pair, int side)
     sb_sort_doubles(sorted, pair->count);
     const double median = sb_median(sorted, pair->count);
     free(sorted);
-    return median / pair->batch;
+    return median / pair->batch[side];
 }
 
 static void fill_values(const struct sb_gate_pair *pair, enum sb_metric metric,
                         struct sb_gate_row *row)
 {
     const struct sb_gate_reading *reading = &pair->reading;
-    row->batch = pair->batch;
+    row->batch = pair->batch[SB_HEAD];
     row->pairs = pair->count;
     row->ratio = reading->ratio.point;
     row->ratio_lo = reading->ratio.lo;
@@ -83,8 +83,8 @@ static void fill_values(const struct sb_gate_pair *pair, enum sb_metric metric,
     row->ties = reading->ties;
     if (metric == SB_METRIC_INSTRUCTIONS) {
         row->repeatability = pair->counts.repeatability;
-        row->base_instructions = pair->counts.base / pair->batch;
-        row->head_instructions = pair->counts.head / pair->batch;
+        row->base_instructions = pair->counts.base / pair->batch[SB_BASE];
+        row->head_instructions = pair->counts.head / pair->batch[SB_HEAD];
     } else {
         row->base_ms = median_frame(pair, SB_BASE) * 1e-6;
         row->head_ms = median_frame(pair, SB_HEAD) * 1e-6;
@@ -106,6 +106,8 @@ static const char *note_of(struct sb_gate_state *gate, const struct sb_gate_pair
 static enum sb_gate_verdict verdict_of(const struct sb_gate_pair *pair)
 {
     const struct sb_task *base = &pair->task[SB_BASE], *head = &pair->task[SB_HEAD];
+    if (!base->entry)
+        return SB_GATE_INCONCLUSIVE; // interrupted before it was compiled
     if (!pair->timed && base->loaded && head->loaded)
         return SB_GATE_SKIPPED; // the same sources
     if (base->untimed && head->untimed)
@@ -113,6 +115,19 @@ static enum sb_gate_verdict verdict_of(const struct sb_gate_pair *pair)
     if (!sb_task_timed(base) || !sb_task_timed(head))
         return SB_GATE_INVALID;
     return pair->count == 0 ? SB_GATE_INCONCLUSIVE : pair->reading.verdict;
+}
+
+// What head got wrong comes first: base's own slips are mended by it.
+static void fill_status(const struct sb_gate_pair *pair, struct sb_gate_row *row)
+{
+    const enum sb_side side =
+        pair->task[SB_HEAD].status == SB_OK && pair->task[SB_BASE].status != SB_OK
+            ? SB_BASE
+            : SB_HEAD;
+    const enum sb_status status = pair->task[side].status;
+    row->status = sb_status_rows[status].word;
+    if (status != SB_OK)
+        row->status_of = sb_side_names[side];
 }
 
 static void fill_row(struct sb_gate_state *gate, int i)
@@ -129,8 +144,7 @@ static void fill_row(struct sb_gate_state *gate, int i)
     if (!gate->params.selftest || verdict == SB_GATE_INVALID ||
         verdict == SB_GATE_SKIPPED)
         row->verdict = sb_gate_verdict_rows[verdict].word;
-    row->status =
-        sb_status_rows[head->status != SB_OK ? head->status : base->status].word;
+    fill_status(pair, row);
     row->picture = pair->picture;
     row->metric = sb_metric_rows[gate->session.metric].name;
     row->tolerance = gate->params.rule.tolerance;
@@ -161,6 +175,10 @@ static bool write_rows(struct sb_gate_state *gate, struct sb_error *err)
 
 // --- confirmations -------------------------------------------------------------------------------
 
+// A guard, not a budget: fewer pairs than all decide nothing, and these take seconds, unless a frame
+// takes a quarter of one.
+enum { CONFIRM_SECONDS = 60 };
+
 // One candidate, alone, in a fresh process. What cannot be measured again is not confirmed, and
 // says so.
 static bool confirm(struct sb_gate_state *gate, int i, int process, struct sb_error *err)
@@ -183,19 +201,31 @@ static bool confirm(struct sb_gate_state *gate, int i, int process, struct sb_er
         .session = &fresh,
         .rule = &gate->params.rule,
         .fixed = true,
-        .seconds = fmax(gate->params.settings->budget, 10),
+        .seconds = fmax(gate->params.settings->budget, CONFIRM_SECONDS),
         .file = gate->pairs,
         .arena = &gate->arena,
     };
     good = !sb_gate_make_ready(&fresh, &failure) || sb_gate_rounds_run(&rounds, err);
     if (failure.status != SB_OK)
         sb_task_note(&candidate->task[SB_HEAD], "in a fresh process: %s", failure.text);
-    const struct sb_gate_reading *reading = &fresh.pair[0].reading;
-    candidate->reading.verdict =
-        fresh.pair[0].count > 0 ? reading->verdict : SB_GATE_INCONCLUSIVE;
-    if (fresh.pair[0].count > 0) {
-        gate->row[i].confirm_ratio = reading->ratio.point;
-        gate->row[i].confirm_p = reading->p_slower;
+    const struct sb_gate_pair *pair = &fresh.pair[0];
+    for (int side = 0; side < SB_SIDES; side++)
+        if (sb_status_rows[pair->task[side].status].exit_code != 0)
+            sb_task_note(&candidate->task[SB_HEAD], "in a fresh process %s: %s",
+                         sb_side_names[side], sb_text_get(&pair->task[side].note));
+    candidate->reading.verdict = sb_task_timed(&pair->task[SB_BASE]) &&
+                                         sb_task_timed(&pair->task[SB_HEAD]) &&
+                                         pair->count > 0
+                                     ? pair->reading.verdict
+                                     : SB_GATE_INCONCLUSIVE;
+    if (candidate->reading.verdict == SB_GATE_INCONCLUSIVE)
+        sb_task_note(
+            &candidate->task[SB_HEAD],
+            "slower, but a fresh process gave %d of %d pairs that could confirm it",
+            pair->count, gate->params.rule.confirm_pairs);
+    if (pair->count > 0) {
+        gate->row[i].confirm_ratio = pair->reading.ratio.point;
+        gate->row[i].confirm_p = pair->reading.p_slower;
     }
 done:
     sb_gate_session_close(&fresh);
@@ -206,23 +236,35 @@ done:
 // A process has one context: where this one draws itself, it must let go first.
 static void let_go(struct sb_gate_session *session)
 {
+    const bool apart = session->params->apart;
     for (int side = 0; side < SB_SIDES; side++) {
-        if (!session->driver[side].runner || session->driver[side].fns->workers)
+        struct sb_driver *driver = &session->driver[side];
+        if (!session->open[side] || driver->fns->workers)
             continue;
         for (int i = 0; i < session->pair_count; i++)
             for (int s = 0; s < SB_SIDES; s++) {
-                struct sb_task *task = &session->pair[i].task[s];
-                if (task->loaded && session->driver[s].runner)
-                    session->driver[s].fns->release(session->driver[s].runner,
-                                                    task->assembly.job.id);
+                const struct sb_task *task = &session->pair[i].task[s];
+                if (task->loaded && (s == side || !apart))
+                    driver->fns->release(driver->runner, task->assembly.job.id);
             }
-        if (session->open[side])
-            sb_driver_close(&session->driver[side]);
+        sb_driver_close(driver);
         session->open[side] = false;
     }
-    for (int side = 0; side < SB_SIDES && !session->params->apart; side++)
-        if (!session->open[SB_BASE])
-            session->driver[side].runner = NULL;
+    if (!apart)
+        session->driver[SB_HEAD].runner = session->driver[SB_BASE].runner;
+}
+
+// A candidate that nobody could ask a second time is none.
+static void drop_candidates(struct sb_gate_session *session, const char *why)
+{
+    for (int i = 0; i < session->pair_count; i++) {
+        struct sb_gate_pair *pair = &session->pair[i];
+        if (pair->count == 0 || pair->reading.verdict != SB_GATE_CANDIDATE)
+            continue;
+        pair->reading.verdict = SB_GATE_INCONCLUSIVE;
+        sb_task_note(&pair->task[SB_HEAD],
+                     "slower, but %s before a fresh process could confirm it", why);
+    }
 }
 
 static bool confirm_all(struct sb_gate_state *gate, struct sb_error *err)
@@ -233,17 +275,14 @@ static bool confirm_all(struct sb_gate_state *gate, struct sb_error *err)
         struct sb_gate_pair *pair = &session->pair[i];
         if (pair->reading.verdict != SB_GATE_CANDIDATE || pair->count == 0)
             continue;
-        if (sb_interrupted()) {
-            pair->reading.verdict = SB_GATE_INCONCLUSIVE;
-            sb_task_note(&pair->task[SB_HEAD], "slower, but interrupted before a fresh "
-                                               "process could confirm it");
-            continue;
-        }
+        if (sb_interrupted())
+            break;
         if (process == 0)
             let_go(session);
         if (!confirm(gate, i, ++process, err))
             return false;
     }
+    drop_candidates(session, "interrupted");
     return true;
 }
 
@@ -372,6 +411,8 @@ bool sb_gate_run(const struct sb_gate_params *params, struct sb_gate_result *res
     result->seconds = (double)(sb_clock_ns() - begin) * 1e-9;
     if (!good && err->status != SB_WRITE_FAILED)
         return false;
+    if (!good)
+        drop_candidates(&gate->session, "the pairs could not be written");
     conclude(gate, result);
     if (params->selftest)
         judge_bias(gate, result);

@@ -21,6 +21,8 @@ struct sb_gate_side_params {
     const struct sb_suite *suite; // entry i of base goes with entry i of head
     struct sb_driver_params driver;
     bool renamed; // every name that can be is another (glsl/rename.h)
+    // Every pair has this program on this side, with the variant of the suite's first entry.
+    const struct sb_frozen *frozen; // NULL: none
 };
 
 struct sb_gate_params {
@@ -28,6 +30,8 @@ struct sb_gate_params {
     bool apart; // the sides' drivers differ: a process each
     // Variants whose final sources are equal on both sides are timed all the same.
     bool keep_equal;
+    // Frames of the sides cost differently: each side has a batch of its own length.
+    bool own_batches;
     // All variants get confirm_pairs pairs, and no verdict: what is wanted is the bias.
     bool selftest;
     struct sb_gate_rule

@@ -32,9 +32,10 @@ static bool shoot(struct sb_gate_session *session, const struct sb_shot *shot, i
 
 // One batch by the metric in ns, the least of three that are sound.
 static bool least(struct sb_gate_session *session, const struct sb_gate_pair *pair,
-                  int side, int frames, double *ns, struct sb_error *err)
+                  int side, int frames, int shrink, double *ns, struct sb_error *err)
 {
-    const struct sb_shot shot = shot_of(pair, side, frames);
+    struct sb_shot shot = shot_of(pair, side, frames);
+    shot.shrink = shrink;
     *ns = INFINITY;
     for (int good = 0, tries = 0; good < 3 && tries < 8; tries++) {
         struct sb_sample sample = {0};
@@ -53,45 +54,66 @@ static bool least(struct sb_gate_session *session, const struct sb_gate_pair *pa
                                     "no batch of %d frames has a valid time", frames);
 }
 
-// The fewest frames for which both sides take batch_ms, unless one then takes too long.
-static bool calibrate(struct sb_gate_session *session, struct sb_gate_pair *pair,
-                      struct sb_error *err)
+// The fewest frames for which sides [from, to) all take batch_ms, unless one then takes too long.
+// *failed: the side where it failed.
+static bool calibrate_sides(struct sb_gate_session *session, struct sb_gate_pair *pair,
+                            int from, int to, enum sb_side *failed, struct sb_error *err)
 {
     const struct sb_measure_settings *settings = session->params->settings;
     const double wanted = settings->batch_ms * 1e6;
-    pair->batch = settings->batch > 0 ? (int)settings->batch : 1;
+    int batch = settings->batch > 0 ? (int)settings->batch : 1;
     for (int step = 0; step < 16 && settings->batch <= 0; step++) {
-        double ns[SB_SIDES];
-        for (int side = 0; side < SB_SIDES; side++)
-            if (!least(session, pair, side, pair->batch, &ns[side], err))
+        double shorter = INFINITY, longer = 0;
+        for (int side = from; side < to; side++) {
+            double ns;
+            *failed = (enum sb_side)side;
+            if (!least(session, pair, side, batch, 1, &ns, err))
                 return false;
-        const double shorter = fmin(ns[SB_BASE], ns[SB_HEAD]);
-        const double longer = fmax(ns[SB_BASE], ns[SB_HEAD]);
-        if (shorter >= wanted || longer >= LONGEST_NS || pair->batch >= BATCH_MAX)
+            shorter = fmin(shorter, ns);
+            longer = fmax(longer, ns);
+        }
+        if (shorter >= wanted || longer >= LONGEST_NS || batch >= BATCH_MAX)
             break;
         const double factor =
             fmin(fmin(fmax(wanted / shorter, 1.1), 10), fmax(LONGEST_NS / longer, 1.1));
-        pair->batch = (int)fmin(ceil(pair->batch * factor), BATCH_MAX);
+        batch = (int)fmin(ceil(batch * factor), BATCH_MAX);
     }
+    for (int side = from; side < to; side++)
+        pair->batch[side] = batch;
     return true;
 }
 
-// K frames in one batch must take what K frames take that are drained one by one, or nearly:
-// else the driver drops draws that nobody will see, and the metric compares the wrong work.
+static bool calibrate(struct sb_gate_session *session, struct sb_gate_pair *pair,
+                      enum sb_side *failed, struct sb_error *err)
+{
+    if (!session->params->own_batches)
+        return calibrate_sides(session, pair, 0, SB_SIDES, failed, err);
+    for (int side = 0; side < SB_SIDES; side++)
+        if (!calibrate_sides(session, pair, side, side + 1, failed, err))
+            return false;
+    return true;
+}
+
+// The pixels of K frames in one batch must take what those of K frames take that are drained one by
+// one, or nearly: else the driver drops draws that nobody will see, and the metric compares the
+// wrong work. A frame of a quarter of the pixels tells what they take: what waiting costs, which
+// of a small frame is the most, is in both.
 static bool check_metric(struct sb_gate_session *session, const struct sb_gate_pair *pair,
                          int side, struct sb_error *err)
 {
     enum { FRAMES = 4 };
-    double one, batch;
-    if (!least(session, pair, side, 1, &one, err) ||
-        !least(session, pair, side, FRAMES, &batch, err))
+    double one, quarter, batch;
+    if (!least(session, pair, side, 1, 1, &one, err) ||
+        !least(session, pair, side, 1, 2, &quarter, err) ||
+        !least(session, pair, side, FRAMES, 1, &batch, err))
         return false;
-    return batch >= 0.7 * FRAMES * one || one < 1e5 ||
-           sb_fail(
-               err, SB_NO_TIMER,
-               "%s of %d frames in one batch is %.2f of that of as many frames drained "
-               "one by one: draws were dropped",
-               sb_metric_rows[session->metric].name, FRAMES, batch / (FRAMES * one));
+    const double pixels = (one - quarter) / 0.75;
+    return batch >= 0.7 * FRAMES * pixels || one < 1e5 ||
+           sb_fail(err, SB_NO_TIMER,
+                   "%s of %d frames in one batch is %.2f of what as many frames take for "
+                   "their pixels alone, drained one by one: draws were dropped",
+                   sb_metric_rows[session->metric].name, FRAMES,
+                   batch / (FRAMES * pixels));
 }
 
 bool sb_gate_pair_shoot(struct sb_gate_session *session, const struct sb_gate_pair *pair,
@@ -102,7 +124,7 @@ bool sb_gate_pair_shoot(struct sb_gate_session *session, const struct sb_gate_pa
     struct sb_shot shot[SB_SIDES];
     struct sb_sample got[SB_SIDES] = {{0}};
     for (int i = 0; i < SB_SIDES; i++)
-        shot[i] = shot_of(pair, order[i], pair->batch);
+        shot[i] = shot_of(pair, order[i], pair->batch[order[i]]);
     bool good = true;
     if (!session->params->apart) {
         const struct sb_driver *driver = &session->driver[SB_BASE];
@@ -116,10 +138,29 @@ bool sb_gate_pair_shoot(struct sb_gate_session *session, const struct sb_gate_pa
     return good;
 }
 
-static void fail_pair(struct sb_gate_pair *pair, const struct sb_error *err)
+static void fail_pair(struct sb_gate_pair *pair, enum sb_side side,
+                      const struct sb_error *err)
 {
-    sb_task_fail(&pair->task[SB_HEAD], err);
+    sb_task_fail(&pair->task[side], err);
     pair->active = false;
+}
+
+// Before the pairs, a side at a time: whose fault it is is known.
+static bool ready_sides(struct sb_gate_session *session, struct sb_gate_pair *pair,
+                        bool *proven, enum sb_side *side, struct sb_error *err)
+{
+    struct sb_sample sample[SB_SIDES];
+    for (*side = SB_BASE; !*proven && *side < SB_SIDES; (*side)++)
+        if (!check_metric(session, pair, (int)*side, err))
+            return false;
+    *proven = true;
+    if (!calibrate(session, pair, side, err))
+        return false;
+    *side = SB_HEAD;
+    for (int r = 0; r < WARM_ROUNDS; r++)
+        if (!sb_gate_pair_shoot(session, pair, r % 2 ? SB_HEAD : SB_BASE, sample, err))
+            return false;
+    return true;
 }
 
 bool sb_gate_make_ready(struct sb_gate_session *session, struct sb_error *err)
@@ -128,20 +169,17 @@ bool sb_gate_make_ready(struct sb_gate_session *session, struct sb_error *err)
     for (int i = 0; i < session->pair_count && !sb_interrupted(); i++) {
         struct sb_gate_pair *pair = &session->pair[i];
         struct sb_error failure = {0};
-        struct sb_sample sample[SB_SIDES];
+        enum sb_side side;
         pair->active = sb_gate_pair_timed(pair);
         if (!pair->active)
             continue;
-        if (!proven && (!check_metric(session, pair, SB_BASE, err) ||
-                        !check_metric(session, pair, SB_HEAD, err)))
+        if (ready_sides(session, pair, &proven, &side, &failure))
+            continue;
+        if (failure.status == SB_NO_TIMER) { // of all variants
+            *err = failure;
             return false;
-        proven = true;
-        bool good = calibrate(session, pair, &failure);
-        for (int r = 0; good && r < WARM_ROUNDS; r++)
-            good = sb_gate_pair_shoot(session, pair, r % 2 ? SB_HEAD : SB_BASE, sample,
-                                      &failure);
-        if (!good)
-            fail_pair(pair, &failure);
+        }
+        fail_pair(pair, side, &failure);
     }
     return true;
 }
@@ -181,7 +219,7 @@ void sb_gate_pair_row(const struct sb_gate_session *session,
         .scene = pair->task[SB_HEAD].entry->scene,
         .variant = pair->task[SB_HEAD].entry->id,
         .first = sb_side_names[first],
-        .batch = pair->batch,
+        .batch = pair->batch[SB_HEAD],
         .metric = sb_metric_rows[session->metric].name,
         .base = value[SB_BASE],
         .head = value[SB_HEAD],
@@ -201,13 +239,13 @@ static void measure_pair(struct sb_gate_rounds *rounds, int place, int round,
     struct sb_error failure = {0};
     const enum sb_side first = (round + place) % 2 ? SB_HEAD : SB_BASE;
     if (!sb_gate_pair_shoot(session, pair, first, sample, &failure)) {
-        fail_pair(pair, &failure);
+        fail_pair(pair, SB_HEAD, &failure);
         return;
     }
     sb_gate_pair_row(session, pair, round, first, sample, &row[(*row_count)++]);
     for (int side = 0; side < SB_SIDES; side++) {
         if (!sb_driver_holds(&session->driver[side], sample[side].job, &failure)) {
-            fail_pair(pair, &failure);
+            fail_pair(pair, (enum sb_side)side, &failure);
             return;
         }
     }
@@ -223,6 +261,18 @@ static void look(struct sb_gate_rounds *rounds, struct sb_gate_pair *pair, bool 
         scratch);
     pair->active = pair->reading.verdict == SB_GATE_OPEN;
     free(scratch);
+}
+
+// Verdicts are read from what is on disk, and from nothing else.
+static void forget_unwritten(struct sb_gate_rounds *rounds)
+{
+    struct sb_gate_session *session = rounds->session;
+    for (int i = 0; i < session->pair_count; i++) {
+        struct sb_gate_pair *pair = &session->pair[i];
+        pair->count = pair->written;
+        if (pair->active)
+            look(rounds, pair, true);
+    }
 }
 
 static int find_active(const struct sb_gate_session *session, int *active)
@@ -265,11 +315,16 @@ static bool loop(struct sb_gate_rounds *rounds, int *active, int *order,
         sb_schedule_order((uint64_t)session->params->settings->seed, count, round, order);
         for (int i = 0; i < count; i++)
             measure_pair(rounds, active[order[i]], round, row, &rows);
-        if (!sb_row_file_add(rounds->file, row, rows, sizeof *row, err))
+        if (rounds->file && !sb_row_file_add(rounds->file, row, rows, sizeof *row, err)) {
+            forget_unwritten(rounds);
             return false;
-        for (int i = 0; i < count; i++)
-            if (session->pair[active[i]].active)
-                look(rounds, &session->pair[active[i]], false);
+        }
+        for (int i = 0; i < count; i++) {
+            struct sb_gate_pair *pair = &session->pair[active[i]];
+            pair->written = pair->count;
+            if (pair->active)
+                look(rounds, pair, false);
+        }
     }
 }
 

@@ -14,9 +14,10 @@
 #define SLACK_STEP  (0.25 / 255)
 #define SLACK_FLIP  1e-3
 
+// An error that head alone does not have, as no pixel of it can be judged, is no better one.
 static bool is_worse(double base, double head, double slack)
 {
-    return head > base + slack;
+    return !isnan(base) && !(head <= base + slack);
 }
 
 static double slack(double base)

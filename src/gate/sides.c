@@ -61,19 +61,31 @@ bool sb_gate_session_open(struct sb_gate_session *session,
     return open_side(session, SB_BASE, err) && open_side(session, SB_HEAD, err);
 }
 
+// A frozen program is prepared once, as the first pair's; the others have a copy that owns nothing.
+static bool is_shared(const struct sb_gate_session *session, int place, int side)
+{
+    return session->params && session->params->side[side].frozen && place > 0;
+}
+
 void sb_gate_session_prepare(struct sb_gate_session *session, int place, int entry)
 {
     struct sb_gate_pair *pair = &session->pair[place];
     for (int side = 0; side < SB_SIDES; side++) {
         const struct sb_gate_side_params *given = &session->params->side[side];
+        if (is_shared(session, place, side)) {
+            pair->task[side] = session->pair[0].task[side];
+            pair->task[side].note = (struct sb_text){0};
+            continue;
+        }
         const struct sb_prepare_params params = {
             .suite = given->suite,
             .driver = &session->driver[side],
             .data_dir = session->params->data_dir,
             .shaders = given->shaders,
             .renamed = given->renamed,
+            .frozen = given->frozen,
         };
-        pair->task[side].entry = &given->suite->entry[entry];
+        pair->task[side].entry = &given->suite->entry[given->frozen ? 0 : entry];
         sb_task_prepare(&pair->task[side], &params,
                         (uint32_t)(SB_SIDES * entry + side + 1));
     }
@@ -91,7 +103,8 @@ void sb_gate_session_close(struct sb_gate_session *session)
 {
     for (int i = 0; i < session->pair_count; i++)
         for (int side = 0; side < SB_SIDES; side++) {
-            sb_task_free(&session->pair[i].task[side], &session->driver[side]);
+            if (!is_shared(session, i, side))
+                sb_task_free(&session->pair[i].task[side], &session->driver[side]);
             free(session->pair[i].value[side]);
         }
     free(session->pair);

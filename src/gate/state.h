@@ -13,9 +13,10 @@ struct sb_gate_pair { // one plan entry, on both sides
     bool timed;                      // both are sound and their sources differ
     bool active;                     // more pairs are wanted
     struct sb_counts_reading counts; // metric instructions: what `reading` is made of
-    int batch;                       // frames, on both sides
+    int batch[SB_SIDES]; // frames; the same on both sides, unless params->own_batches
     double *value[SB_SIDES];
     int count, capacity; // pairs
+    int written;         // of them, on disk
     struct sb_gate_reading reading;
 };
 
@@ -33,7 +34,7 @@ struct sb_gate_session { // the processes that draw, and what they hold
 // sides.c: opens the drivers, finds the metric and proves the timer it needs.
 bool sb_gate_session_open(struct sb_gate_session *session,
                           const struct sb_gate_params *params, struct sb_error *err);
-// Assembles and prepares entry `entry` of the plans as session->pair[place].
+// Assembles and prepares entry `entry` of the plans as session->pair[place], in the order of places.
 void sb_gate_session_prepare(struct sb_gate_session *session, int place, int entry);
 void sb_gate_session_close(struct sb_gate_session *session);
 
@@ -58,10 +59,10 @@ struct sb_gate_rounds {
     const struct sb_gate_rule *rule;
     bool fixed;     // rule->confirm_pairs of each pair: a confirmation, or the self-test
     double seconds; // at most
-    struct sb_row_file *file;
-    struct sb_arena *arena; // for texts of rows
+    struct sb_row_file *file; // NULL: the pairs are not written
+    struct sb_arena *arena;   // for texts of rows
 };
-// One batch length for both sides of each pair that is timed, and a few unrecorded rounds. Does
+// The batch lengths of each pair that is timed, and a few unrecorded rounds. Does
 // the metric see all of the work? SB_NO_TIMER where it does not.
 bool sb_gate_make_ready(struct sb_gate_session *session, struct sb_error *err);
 // Until no pair is active, the time is up or a signal came. False: the pairs could not be written.

@@ -462,6 +462,10 @@ bool sb_run(const struct sb_run_params *params, struct sb_run_result *result,
         return false;
     if (is_complete(run))
         return recall(run, result, err);
+    if (params->append && run->earlier.last_incomplete)
+        sb_info("%s: process %d of this run was stopped; a fresh one measures what it "
+                "lacked",
+                params->dir, run->earlier.process);
     if (!open_all(run, err))
         return false;
     const bool good = measure(run, err) && write_files(run, !sb_interrupted(), err);

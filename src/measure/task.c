@@ -126,11 +126,19 @@ void sb_task_prepare(struct sb_task *task, const struct sb_prepare_params *param
         .movable_lights = params->movable_lights,
         .probe = !params->movable_lights,
     };
+    const struct sb_frozen_params frozen = {
+        .frozen = params->frozen,
+        .scene = task->entry->scene,
+        .variant = &task->entry->variant,
+        .caps = &driver->caps,
+        .id = id,
+    };
     struct sb_error err = {0};
     task->untimed = sb_variant_untimed(&params->suite->axes, &task->entry->variant);
     task->nonfinite = task->negative = SB_NO_COUNT;
     task->class_spread = task->shadow_share = task->payback_check = NAN;
-    if (!sb_assemble(&assemble, &task->assembly, &err)) {
+    if (params->frozen ? !sb_assemble_frozen(&frozen, &task->assembly, &err)
+                       : !sb_assemble(&assemble, &task->assembly, &err)) {
         sb_task_fail(task, &err);
         return;
     }

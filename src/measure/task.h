@@ -3,6 +3,7 @@
 #pragma once
 
 #include "assemble/assemble.h"
+#include "assemble/frozen.h"
 #include "image/metrics.h"
 #include "measure/driver.h"
 #include "measure/split.h"
@@ -76,8 +77,9 @@ struct sb_prepare_params {
     const struct sb_suite *suite;
     const struct sb_driver *driver;
     const char *data_dir, *shaders;
-    bool movable_lights; // of sb_assemble_params
-    bool renamed;        // sb_assembly_rename
+    bool movable_lights;            // of sb_assemble_params
+    bool renamed;                   // sb_assembly_rename
+    const struct sb_frozen *frozen; // not assembled, but these texts; NULL: none
 };
 
 // Assembles and prepares: afterwards the task is loaded, or its status says why not.

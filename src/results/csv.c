@@ -6,7 +6,7 @@
 #include "base/file.h"
 #include "results/csv.h"
 
-static void add_field(struct sb_text *text, const char *field)
+void sb_csv_field(struct sb_text *text, const char *field)
 {
     if (!strpbrk(field, ",\"\r\n")) {
         sb_text_add(text, field);
@@ -46,7 +46,7 @@ static void add_axes(struct sb_text *text, const struct sb_axes *axes,
             sb_text_add(text, ",");
         sb_text_clear(&value);
         sb_variant_value_text(axes, variant, a, &value);
-        add_field(text, sb_text_get(&value));
+        sb_csv_field(text, sb_text_get(&value));
     }
     sb_text_free(&value);
 }
@@ -57,7 +57,7 @@ static void add_cell(struct sb_text *text, const struct sb_axes *axes,
     switch (type) {
     case SB_TEXT:
         if (*(const char *const *)cell)
-            add_field(text, *(const char *const *)cell);
+            sb_csv_field(text, *(const char *const *)cell);
         break;
     case SB_REAL:
         if (!isnan(*(const double *)cell))

@@ -11,6 +11,9 @@ void sb_csv_header(struct sb_text *text, const struct sb_column *columns, int co
 void sb_csv_row(struct sb_text *text, const struct sb_column *columns, int count,
                 const struct sb_axes *axes, const void *row);
 
+// One field, quoted where it must be.
+void sb_csv_field(struct sb_text *text, const char *field);
+
 // A parsed file: cells as text, all in `arena`.
 struct sb_csv {
     char ***cell; // [row][column]; row 0 is the header

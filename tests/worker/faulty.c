@@ -1,6 +1,6 @@
 // A worker that draws nothing and goes wrong on demand. FAULT=what@call[:job]: what it does when it
 // is asked for that call (of that job, where one is named). ONCE=FILE: only if there is no such
-// file, which it makes.
+// file, which it makes. AFTER=N: not at the first N of these calls.
 #include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
@@ -50,12 +50,15 @@ static void do_fault(const char *what)
 
 static void maybe(const char *call, uint32_t job)
 {
-    const char *fault = getenv("FAULT"), *once = getenv("ONCE");
+    static int calls;
+    const char *fault = getenv("FAULT"), *once = getenv("ONCE"), *after = getenv("AFTER");
     const char *at = fault ? strchr(fault, '@') : NULL;
     if (!at || strncmp(at + 1, call, strlen(call)) != 0)
         return;
     const char *colon = strchr(at, ':');
     if (colon && strtoul(colon + 1, NULL, 10) != job)
+        return;
+    if (after && ++calls <= atoi(after))
         return;
     if (once && open(once, O_CREAT | O_EXCL | O_WRONLY, 0600) < 0)
         return;
