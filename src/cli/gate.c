@@ -138,13 +138,14 @@ static bool find_folders(struct sides *sides, const struct sb_options *options,
 static const char *describe(const struct sides *sides, const struct sb_options *options,
                             int side, struct sb_arena *arena)
 {
-    const struct sb_assignments *lists[] = {
+    enum { LISTS = 2 };
+    const struct sb_assignments *lists[LISTS] = {
         side == SB_BASE ? &options->base_set : &options->head_set,
         side == SB_BASE ? &options->base_env : &options->head_env};
     struct sb_text text = {0};
     if (options->base || options->head)
         sb_text_add(&text, sides->said[side]);
-    for (size_t l = 0; l < sizeof lists / sizeof *lists; l++)
+    for (int l = 0; l < LISTS; l++)
         for (int i = 0; i < lists[l]->count; i++)
             sb_text_printf(&text, "%s%s=%s", text.length ? " " : "",
                            lists[l]->item[i].axis, lists[l]->item[i].values);

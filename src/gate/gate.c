@@ -177,12 +177,11 @@ enum { CONFIRM_SECONDS = 60 };
 static bool confirm(struct sb_gate_state *gate, int i, int process, struct sb_error *err)
 {
     struct sb_gate_pair *candidate = &gate->session.pair[i];
-    struct sb_gate_pair fresh_pair = {0};
     struct sb_gate_session fresh = {
         .process = process, .metric = gate->session.metric, .pair_count = 1};
     struct sb_error failure = {0};
     bool good = true;
-    fresh.pair = sb_alloc(sizeof fresh_pair);
+    fresh.pair = sb_alloc(sizeof *fresh.pair);
     sb_progress("confirming a candidate in a fresh process");
     if (!sb_gate_session_open(&fresh, &gate->params, &failure)) {
         sb_task_note(&candidate->task[SB_HEAD], "no fresh process: %s", failure.text);
