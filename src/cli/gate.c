@@ -283,19 +283,27 @@ static int judge(struct sides *sides, const struct sb_options *options,
     return code;
 }
 
+// As git bisect run asks, several gates may begin within a second.
+static const char *default_dir(struct sb_arena *arena)
+{
+    char now[32];
+    sb_timestamp_name(now);
+    const char *dir = sb_arena_printf(arena, "shadebench-results/gate-%s", now);
+    const char *free_dir = dir;
+    for (int i = 2; sb_dir_exists(free_dir); i++)
+        free_dir = sb_arena_printf(arena, "%s-%d", dir, i);
+    return free_dir;
+}
+
 int sb_cmd_gate(const struct sb_options *options, int argc, char **argv)
 {
     struct sb_error err = {0};
     struct sb_arena arena = {0};
     struct sides *sides = sb_alloc(sizeof *sides);
-    char now[32];
     int code;
-    sb_timestamp_name(now);
     json_t *arguments = sb_cli_arguments_json(argc, argv, &err);
     sides->data = sb_data_dir(&arena, options->data, &err);
-    sides->dir = options->output
-                     ? options->output
-                     : sb_arena_printf(&arena, "shadebench-results/gate-%s", now);
+    sides->dir = options->output ? options->output : default_dir(&arena);
     sb_interrupt_install();
     sb_results_warn_gate(sides->dir);
     if (arguments && sides->data && check_words(options, &err) &&

@@ -82,7 +82,8 @@ static bool read_pairs(const struct sb_gate_rule *rule, const double *base,
         reading->ties += !(head[i] < base[i] || head[i] > base[i]);
     }
     reading->autocorrelation = sb_rank_autocorrelation(d, n, rest);
-    reading->blocked = fabs(reading->autocorrelation) > too_dependent;
+    // Not where neighbours are opposed: ranks then claim too little, which costs no safety.
+    reading->blocked = reading->autocorrelation > too_dependent;
     const int units = reading->blocked ? average_blocks(d, n) : n;
     reading->spread = sb_robust_spread(d, units, rest);
     const double limit = log1p(rule->tolerance), mirrored = log1p(-rule->tolerance);

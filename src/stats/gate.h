@@ -66,7 +66,7 @@ struct sb_gate_reading {
     double spread;       // of what was ranked (stats/power.h)
     double mde;          // the least slowdown that is found with 90 %, tolerance included
     double autocorrelation; // of ln(head / base) by ranks; NAN where all are equal
-    bool blocked;           // |autocorrelation| asked for blocks
+    bool blocked;           // autocorrelation asked for blocks
     int ties;               // pairs of equal times
 };
 
@@ -82,8 +82,9 @@ struct sb_gate_reading {
 //   INCONCLUSIVE: neither, and this was the last look;
 // - INVALID where a time is not positive and finite.
 //
-// Where ln(head / base) depends on what it was a pair ago, |autocorrelation| > 0.2, ranks of
-// pairs would claim too much. Then blocks of SB_GATE_BLOCK neighbours are averaged (the last
+// Where ln(head / base) is like what it was a pair ago, autocorrelation > 0.2, ranks of pairs would
+// claim too much. (Where it is opposed, as when the second batch of each pair is the cheaper and
+// base and head come first in turns, they claim too little, and nothing is done.) Then blocks of SB_GATE_BLOCK neighbours are averaged (the last
 // takes what is left), and the n / SB_GATE_BLOCK averages are ranked in the pairs' place; ratio,
 // spread and mde are theirs too. That few pairs look dependent by chance costs some time:
 // averages of 15 or 30 pairs are too few for any verdict. Where neighbouring blocks still depend
