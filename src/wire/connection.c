@@ -10,10 +10,15 @@
 #include "job/callgrind.h"
 #include "wire/messages.h"
 
-static int64_t deadline(const struct sb_connection *line)
+static double limit_s(const struct sb_connection *line)
 {
     const double limit = line->params.worker_limit_s;
-    return sb_clock_ns() + (int64_t)((limit > 0 ? limit : 120) * 1e9);
+    return limit > 0 ? limit : 120;
+}
+
+static int64_t deadline(const struct sb_connection *line)
+{
+    return sb_clock_ns() + (int64_t)(limit_s(line) * 1e9);
 }
 
 // --- one worker ------------------------------------------------------------------------------
@@ -30,7 +35,7 @@ static bool lose(struct sb_connection *line, enum sb_frame_end end, const char *
     else if (end == SB_FRAME_LATE)
         sb_fail(err, SB_WORKER_HUNG,
                 "%s: the worker did not answer within %g s and was killed", doing,
-                line->params.worker_limit_s > 0 ? line->params.worker_limit_s : 120);
+                limit_s(line));
     else
         sb_fail(err, SB_WORKER_CRASHED, "%s: the worker %s", doing,
                 how.length ? how.data : "closed its output");
