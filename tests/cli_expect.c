@@ -92,6 +92,34 @@ static void slips_are_answered_before_anything_is_measured(void **state)
     check_shell("test -e @/none; echo $?", 0, "1\n");
 }
 
+// Errors want no timer, and have budgets all the same. A time that was not taken is not within one.
+static void without_a_timer_errors_are_judged_and_times_are_not(void **state)
+{
+    (void)state;
+    static struct answer answer;
+    struct sb_csv csv;
+    write_suite("  - {where: {point: 8}, median_ms: \"<= 1e-6\"}\n  - {nonfinite: 0}\n"
+                "  - {where: {point: 1}, max_err: \"<= 1/255\"}\n");
+    run_program(&answer, run_words("-o @/untimed --timer none --processes 3 --check"));
+    assert_int_equal(answer.code, 1);
+    check_contains(answer.text, "timer: none; pictures and errors alone");
+    check_contains(answer.text, "\nexpected: 2 held, 1 missed, 1 inconclusive\n");
+    check_contains(answer.text, "\nmissed: max_err <= 1/255 ");
+    check_contains(answer.text, "\ninconclusive: median_ms <= 1e-6 of containers "
+                                "context=null,point=8: not timed");
+    read_csv("untimed/summary.csv", &csv);
+    assert_int_equal(csv.row_count, 1 + 2);
+    assert_string_equal(csv_cell(&csv, 2, "status"), "accuracy_only");
+    assert_string_equal(csv_cell(&csv, 2, "timer_source"), "none");
+    assert_string_equal(csv_cell(&csv, 2, "median_ms"), "");
+    assert_true(atof(csv_cell(&csv, 2, "max_err")) > 0);
+    sb_csv_free(&csv);
+    read_csv("untimed/samples.csv", &csv);
+    assert_int_equal(csv.row_count, 1);
+    sb_csv_free(&csv);
+    check_answer("run --resume @/untimed", 0, "timer: none");
+}
+
 // The first start's arguments and the suite's copy have all that is needed.
 static void the_last_process_judges_and_so_does_a_resumed_run(void **state)
 {
@@ -133,6 +161,7 @@ int main(void)
         cmocka_unit_test(what_is_inconclusive_fails_only_where_it_is_asked_to),
         cmocka_unit_test(without_check_nothing_is_judged),
         cmocka_unit_test(slips_are_answered_before_anything_is_measured),
+        cmocka_unit_test(without_a_timer_errors_are_judged_and_times_are_not),
         cmocka_unit_test(the_last_process_judges_and_so_does_a_resumed_run),
         cmocka_unit_test(json_has_every_finding),
     };

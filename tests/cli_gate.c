@@ -43,6 +43,10 @@ static void usage_errors_are_one_line_and_exit_code_2(void **state)
         {"--selftest --timer nosuch", "unknown timer \"nosuch\""},
         {"--selftest --write junit", "FORMAT=FILE in one word is wanted"},
         {"--selftest --json --write go=-", "standard output is taken by --json"},
+        {"--selftest --cases zero-normel",
+         "--cases: unknown case or family \"zero-normel\"; did you mean "
+         "\"zero-normal\"?"},
+        {"--selftest --cases all,light-order", "unknown case or family \"all\""},
         {"--selftest --rounds 20", "--rounds 20 says nothing to a gate"},
         {"--selftest --half-width=0.1", "says nothing to a gate"},
         {"--selftest --processes 3", "says nothing to a gate"},
@@ -77,6 +81,23 @@ static void equal_programs_pass(void **state)
     check_contains(answer.text, "equal/gate.csv");
     check_answer(NULL_GATE "--sweep point=1,2 --base $BASE -o @/skipped", 0,
                  "2 skipped\nskipped: the final sources of both sides are equal");
+    check_answer(NULL_GATE "--base $BASE -o @/skipped2", 0, "rule: no variant was timed");
+}
+
+// The null runner draws black, which both sides pass or fail alike.
+static void hard_cases_that_both_sides_hold_are_none_lost(void **state)
+{
+    (void)state;
+    struct sb_csv csv;
+    check_answer(NULL_GATE "--base $BASE --cases light-order,dist-overflow16 -o @/cases",
+                 0, "hard cases: 0 that base passes and head does not");
+    read_csv("cases/cases-head/cases.csv", &csv);
+    assert_int_equal(csv.row_count, 1 + 2 + 4); // the robust cells alone
+    sb_csv_free(&csv);
+    json_t *json =
+        run_json(NULL_GATE "--base $BASE --cases relations -o @/cases2 --json", 0);
+    assert_int_equal(json_integer_value(json_object_get(json, "cases_lost")), 0);
+    json_decref(json);
 }
 
 static void what_is_slower_is_a_regression_and_exit_code_1(void **state)
@@ -122,6 +143,8 @@ static void bisect_has_the_exit_codes_of_git(void **state)
     check_answer("gate --bisect --context null", 128, "gate holds head against base");
     check_answer("gate --bisect --base @/nowhere --context null", 128, "/nowhere: ");
     check_answer("gate --context null --bisect --selftest", 128, "--bisect wants");
+    check_answer("gate --basis x --bisect", 128, "did you mean \"--base\"?");
+    check_answer("gaet --base x --bisect", 128, "did you mean \"gate\"?");
 }
 
 static void json_has_every_row_and_the_counts(void **state)
@@ -155,6 +178,9 @@ static void a_selftest_says_whether_the_tolerance_can_be_used(void **state)
                  "a tolerance of 5 % is at least twice that: it can be used here");
     check_answer(NULL_GATE "--selftest --tolerance 0% -o @/self2", 3,
                  "under twice that: refused; --tolerance ");
+    // For other programs it is no success, either.
+    check_answer(NULL_GATE "--selftest --tolerance 0% -o @/self3 --write junit=-", 3,
+                 "errors=\"1\"");
 }
 
 // --- for other programs ----------------------------------------------------------------------
@@ -286,6 +312,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(usage_errors_are_one_line_and_exit_code_2),
         cmocka_unit_test(equal_programs_pass),
+        cmocka_unit_test(hard_cases_that_both_sides_hold_are_none_lost),
         cmocka_unit_test(what_is_slower_is_a_regression_and_exit_code_1),
         cmocka_unit_test(inconclusive_is_an_exit_code_where_asked_for),
         cmocka_unit_test(bisect_has_the_exit_codes_of_git),

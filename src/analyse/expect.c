@@ -199,13 +199,20 @@ static bool holds(const struct sb_expect_rule *rule, double value)
     }
 }
 
+static bool is(const struct sb_row *row, enum sb_status status)
+{
+    return row->status && sb_status_find(row->status) == status;
+}
+
 static void judge_number(struct sb_expect_finding *finding, struct sb_text *measured)
 {
     const struct sb_expect_rule *rule = finding->rule;
     const double value = number_in(finding->row, rule->column);
     const struct interval_row *interval = interval_of(rule->column);
     if (isnan(value)) {
-        sb_text_add(measured, "not measured");
+        const bool untimed = interval && is(finding->row, SB_ACCURACY_ONLY);
+        finding->verdict = untimed ? SB_EXPECT_INCONCLUSIVE : SB_EXPECT_MISSED;
+        sb_text_add(measured, untimed ? "not timed" : "not measured");
         return;
     }
     sb_text_printf(measured, "%.6g", value);

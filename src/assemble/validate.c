@@ -1,16 +1,13 @@
 // Runs glslangValidator: the reference compiler, so a shader that it takes and a driver does
 // not is the driver's matter.
 #include <errno.h>
-#include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include "assemble/assemble.h"
 #include "base/file.h"
-
-extern char **environ;
+#include "base/process.h"
 
 // Files, not standard input: only files can be linked with each other, and no pipe can fill
 // up or break. The compiler tells the stage by these suffixes.
@@ -47,57 +44,19 @@ static void folder_remove(struct folder *folder)
     sb_arena_free(&folder->arena);
 }
 
-static bool read_all(int fd, struct sb_text *output)
-{
-    char buffer[4096];
-    for (;;) {
-        const ssize_t got = read(fd, buffer, sizeof buffer);
-        if (got > 0)
-            sb_text_add_n(output, buffer, (size_t)got);
-        else if (got == 0)
-            return true;
-        else if (errno != EINTR)
-            return false;
-    }
-}
-
-static bool wait_for(pid_t child, int *status)
-{
-    while (waitpid(child, status, 0) < 0)
-        if (errno != EINTR)
-            return false;
-    return true;
-}
-
-// `good`: the compiler ended with 0. What it said on stdout goes to `output`.
-static bool run(char *const *argv, bool *good, struct sb_text *output,
+// `good`: the compiler ended with 0. What it said goes to `output`.
+static bool run(const char *const *words, bool *good, struct sb_text *output,
                 struct sb_error *err)
 {
-    int ends[2];
-    if (pipe(ends) != 0)
-        return sb_fail(err, SB_INTERNAL, "pipe: %s", strerror(errno));
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-    posix_spawn_file_actions_addclose(&actions, ends[0]);
-    posix_spawn_file_actions_addclose(&actions, ends[1]);
-    pid_t child;
-    const int cause = posix_spawnp(&child, argv[0], &actions, NULL, argv, environ);
-    posix_spawn_file_actions_destroy(&actions);
-    close(ends[1]);
-    if (cause != 0) {
-        close(ends[0]);
-        return sb_fail(err, SB_USAGE,
-                       "%s: %s; validating shaders needs it (Debian: glslang-tools)",
-                       argv[0], strerror(cause));
-    }
-    int status;
-    const bool read_good = read_all(ends[0], output);
-    close(ends[0]);
-    if (!wait_for(child, &status) || !read_good)
-        return sb_fail(err, SB_INTERNAL, "%s: %s", argv[0], strerror(errno));
-    *good = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-    return true;
+    const struct sb_process_params params = {
+        .words = words, .output = SB_STREAM_TAKEN, .text = output};
+    int exit_code = -1;
+    const bool ended = sb_process_run(&params, &exit_code, err);
+    if (!ended && err->status == SB_USAGE)
+        sb_fail(err, SB_USAGE, "%s; validating shaders needs it (Debian: glslang-tools)",
+                err->text);
+    *good = ended && exit_code == 0;
+    return ended;
 }
 
 // "ERROR: /tmp/…/program.vert:12: text" -> the original file and line. The compiler's own form
@@ -141,7 +100,7 @@ static bool fail_compile(const struct sb_glsl_source source[STAGES],
 static bool validate_program(const struct sb_glsl_source source[STAGES],
                              const struct folder *folder, struct sb_error *err)
 {
-    char *argv[2 + STAGES + 1] = {"glslangValidator", "-l"};
+    const char *words[2 + STAGES + 1] = {"glslangValidator", "-l"};
     int count = 2;
     for (int i = 0; i < STAGES; i++) {
         if (!source[i].text)
@@ -149,11 +108,11 @@ static bool validate_program(const struct sb_glsl_source source[STAGES],
         if (!sb_file_replace(folder->file[i], source[i].text, strlen(source[i].text),
                              err))
             return false;
-        argv[count++] = folder->file[i];
+        words[count++] = folder->file[i];
     }
     struct sb_text output = {0};
     bool good = false;
-    if (run(argv, &good, &output, err) && !good)
+    if (run(words, &good, &output, err) && !good)
         fail_compile(source, folder, sb_text_get(&output), err);
     sb_text_free(&output);
     return good;

@@ -19,6 +19,8 @@ int sb_cmd_gate(const struct sb_options *options, int argc, char **argv);
 int sb_cmd_history(const struct sb_options *options, int argc, char **argv);
 int sb_cmd_run(const struct sb_options *options, int argc, char **argv);
 
+enum { SB_EXIT_STOP_BISECTION = 128 }; // what git bisect run takes for "stop"
+
 // Prints the error and returns its exit code.
 int sb_cli_fail(const struct sb_error *err);
 

@@ -61,7 +61,7 @@ static bool check_words(const struct sb_options *options, struct sb_error *err)
     if (options->bisect && options->selftest)
         return sb_fail(err, SB_USAGE,
                        "--bisect wants verdicts, and --selftest gives none");
-    return check_settings(options, err);
+    return sb_gate_cases_check(options->cases, err) && check_settings(options, err);
 }
 
 // --base-env NAME=VALUE, as the runner takes it.
@@ -236,9 +236,9 @@ static int show(const struct sb_gate_shown *shown)
 // bisection: so does a command line or folder that is wrong at every commit.
 static int bisect_code(int code, const struct sb_error *err)
 {
-    enum { SKIP = 125, STOP = 128 };
+    enum { SKIP = 125 };
     if (sb_status_rows[err->status].exit_code == sb_status_rows[SB_USAGE].exit_code)
-        return STOP;
+        return SB_EXIT_STOP_BISECTION;
     return code > 1 && code < SKIP ? SKIP : code;
 }
 
@@ -255,6 +255,7 @@ static int judge(struct sides *sides, const struct sb_options *options,
                  struct sb_error *err)
 {
     struct sb_gate_result result = {0};
+    struct sb_gate_lost lost = {0};
     struct sb_gate_shown shown = {
         .options = options,
         .result = &result,
@@ -263,14 +264,13 @@ static int judge(struct sides *sides, const struct sb_options *options,
         .base = sides->said[SB_BASE],
         .head = sides->said[SB_HEAD],
         .pinned = sides->pinned,
-        .cases_lost = -1,
     };
     bool good = sb_gate_run(&sides->params, &result, err);
     int code = result.exit_code;
-    if (good && options->hard_cases && !result.interrupted) {
-        shown.cases_lost = sb_gate_cases(&sides->params, err);
-        good = shown.cases_lost >= 0;
-        if (shown.cases_lost > 0)
+    if (good && options->cases && !result.interrupted) {
+        good = sb_gate_cases(&sides->params, options->cases, &lost, err);
+        shown.lost = good ? &lost : NULL;
+        if (lost.count > 0)
             code = sb_exit_code_worse(code, sb_status_rows[SB_WORSE_PICTURE].exit_code);
     }
     if (options->fail_on_inconclusive && count_unjudged(&result) > 0)
@@ -279,6 +279,7 @@ static int judge(struct sides *sides, const struct sb_options *options,
         code = sb_exit_code_worse(code, show(&shown));
     if (!good)
         code = sb_exit_code_worse(code, sb_cli_fail(err));
+    sb_gate_lost_free(&lost);
     sb_gate_result_free(&result);
     return code;
 }

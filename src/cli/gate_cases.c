@@ -1,44 +1,91 @@
 // The hard cases of both sides, each by a `shadebench verify` of its own: verdicts are exact, so
 // there is nothing to repeat.
-#include <errno.h>
-#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include "base/environment.h"
 #include "base/file.h"
 #include "base/log.h"
+#include "base/process.h"
+#include "cases/case.h"
 #include "cli/gate.h"
 #include "results/csv.h"
 
-// True where it has judged: exit code 0, or 1 with cases that fail.
-static bool verify(const struct sb_gate_params *params, int side, const char *program,
-                   const char *dir)
+enum { WORDS_MAX = 24 + SB_CASES_MAX };
+
+// Appends what --cases names, as words of verify: none for all of them.
+static bool add_cases(const char *list, const char **words, int *count,
+                      struct sb_arena *arena, struct sb_error *err)
 {
-    int status = 0;
-    const struct sb_context_params *context = &params->side[side].driver.context;
-    const char *const words[] = {program,     "verify",
-                                 "--form",    "robust",
-                                 "--shaders", params->side[side].shaders,
-                                 "--data",    params->data_dir,
-                                 "-o",        dir,
-                                 "--context", context->context,
-                                 "--api",     context->gles ? "gles" : "gl",
-                                 "--quiet",   "--json",
-                                 NULL};
-    fflush(NULL);
-    const pid_t pid = fork();
-    if (pid == 0) {
-        if (!freopen("/dev/null", "w", stdout))
-            _exit(126);
-        sb_environment_apply(context->environment, context->environment_count);
-        execv(program, (char *const *)words);
-        _exit(127);
+    const struct sb_case *it[SB_CASES_MAX];
+    int selected = 0;
+    if (strcmp(list, "all") == 0)
+        return true;
+    for (char *word = sb_arena_strdup(arena, list), *rest; word; word = rest) {
+        rest = strchr(word, ',');
+        if (rest)
+            *rest++ = '\0';
+        if (!sb_cases_select(word, it, &selected, err))
+            return sb_fail(err, SB_USAGE, "--cases: %s; or all", err->text);
     }
-    while (pid > 0 && waitpid(pid, &status, 0) < 0 && errno == EINTR)
-        continue;
-    return pid > 0 && WIFEXITED(status) && WEXITSTATUS(status) <= 1;
+    for (int i = 0; i < selected; i++)
+        words[(*count)++] = it[i]->id;
+    return true;
+}
+
+bool sb_gate_cases_check(const char *list, struct sb_error *err)
+{
+    const char *words[WORDS_MAX];
+    struct sb_arena arena = {0};
+    int count = 0;
+    const bool good = !list || add_cases(list, words, &count, &arena, err);
+    sb_arena_free(&arena);
+    return good;
+}
+
+// True where it has judged: exit code 0, or 1 with cases that fail.
+static bool verify(const struct sb_gate_params *params, int side, const char *list,
+                   const char *dir, struct sb_arena *arena, struct sb_error *err)
+{
+    const struct sb_context_params *context = &params->side[side].driver.context;
+    const char *shaders = params->side[side].shaders;
+    int count = 0, exit_code = -1;
+    const char *words[WORDS_MAX + 1] = {0};
+    const char *const first[] = {sb_executable(arena, err),
+                                 "verify",
+                                 "--form",
+                                 "robust",
+                                 "--data",
+                                 params->data_dir,
+                                 "-o",
+                                 dir,
+                                 "--context",
+                                 context->context,
+                                 "--api",
+                                 context->gles ? "gles" : "gl",
+                                 "--quiet"};
+    if (!first[0])
+        return false;
+    for (size_t i = 0; i < sizeof first / sizeof *first; i++)
+        words[count++] = first[i];
+    if (shaders)
+        words[count++] = sb_arena_printf(arena, "--shaders=%s", shaders);
+    if (context->device >= 0)
+        words[count++] = sb_arena_printf(arena, "--device=%d", context->device);
+    if (!add_cases(list, words, &count, arena, err))
+        return false;
+    const struct sb_process_params process = {
+        .words = words,
+        .environment = context->environment,
+        .environment_count = context->environment_count,
+        .output = SB_STREAM_DROPPED,
+    };
+    if (!sb_process_run(&process, &exit_code, err))
+        return false;
+    return exit_code <= 1 ||
+           sb_fail(err, SB_INTERNAL,
+                   "the hard cases of %s cannot be judged: shadebench verify ended with "
+                   "exit code %d, above is why",
+                   sb_side_names[side], exit_code);
 }
 
 static bool same_cell(const struct sb_case_row *a, const struct sb_case_row *b)
@@ -58,63 +105,69 @@ static bool is(const struct sb_case_row *row, const char *verdict)
     return row->verdict && strcmp(row->verdict, verdict) == 0;
 }
 
-static int count_lost(const struct sb_csv *base, const struct sb_csv *head,
-                      struct sb_error *err)
+// One line of what was lost, for the terminal and for other programs.
+static void tell(const struct sb_case_row *before, const struct sb_case_row *now,
+                 struct sb_gate_lost *lost)
 {
-    int lost = 0;
+    lost->it = sb_grow(lost->it, lost->count, &lost->capacity, sizeof *lost->it);
+    struct sb_gate_lost_case *one = &lost->it[lost->count++];
+    one->cell =
+        sb_arena_printf(&lost->arena, "%s %s %s", now->id, now->stage ? now->stage : "",
+                        now->precision ? now->precision : "");
+    one->says = sb_arena_printf(
+        &lost->arena, "base passes with %s %g, head fails with %s %g, bound %g%s%s",
+        before->figure ? before->figure : "", before->measured,
+        now->figure ? now->figure : "", now->measured, now->bound, now->of ? ", of " : "",
+        now->of ? now->of : "");
+    sb_warn("hard case %s: %s", one->cell, one->says);
+}
+
+static bool find_lost(const struct sb_csv *base, const struct sb_csv *head,
+                      struct sb_gate_lost *lost, struct sb_error *err)
+{
     for (int i = 1; i < head->row_count; i++) {
         struct sb_case_row now, before;
         sb_case_row_init(&now);
         if (!sb_csv_get(head, i, sb_case_columns, sb_case_column_count, &now, err))
-            return -1;
+            return false;
         if (!is(&now, "fail"))
             continue;
         for (int k = 1; k < base->row_count; k++) {
             sb_case_row_init(&before);
             if (!sb_csv_get(base, k, sb_case_columns, sb_case_column_count, &before, err))
-                return -1;
+                return false;
             if (!same_cell(&before, &now) || !is(&before, "pass"))
                 continue;
-            sb_warn(
-                "hard case %s (%s, %s): base passes with %s %g, head fails with %s %g, "
-                "bound %g%s%s",
-                now.id, now.stage ? now.stage : "", now.precision ? now.precision : "",
-                before.figure ? before.figure : "", before.measured,
-                now.figure ? now.figure : "", now.measured, now.bound,
-                now.of ? ", of " : "", now.of ? now.of : "");
-            lost++;
+            tell(&before, &now, lost);
             break;
         }
     }
-    return lost;
+    return true;
 }
 
-int sb_gate_cases(const struct sb_gate_params *params, struct sb_error *err)
+bool sb_gate_cases(const struct sb_gate_params *params, const char *list,
+                   struct sb_gate_lost *lost, struct sb_error *err)
 {
     struct sb_arena arena = {0};
     struct sb_csv csv[SB_SIDES] = {{0}};
-    const char *program = sb_executable(&arena, err);
-    int lost = -1;
-    for (int side = 0; program && side < SB_SIDES; side++) {
+    bool good = true;
+    for (int side = 0; good && side < SB_SIDES; side++) {
         const char *dir =
             sb_arena_printf(&arena, "%s/cases-%s", params->dir, sb_side_names[side]);
         sb_info("verifying the hard cases of %s", sb_side_names[side]);
-        if (!verify(params, side, program, dir)) {
-            sb_fail(
-                err, SB_INTERNAL,
-                "the hard cases of %s cannot be judged: shadebench verify --shaders %s "
-                "tells why",
-                sb_side_names[side], params->side[side].shaders);
-            goto done;
-        }
-        if (!sb_csv_read(sb_path_join(&arena, dir, "cases.csv"), &csv[side], err))
-            goto done;
+        good = verify(params, side, list, dir, &arena, err) &&
+               sb_csv_read(sb_path_join(&arena, dir, "cases.csv"), &csv[side], err);
     }
-    if (program)
-        lost = count_lost(&csv[SB_BASE], &csv[SB_HEAD], err);
-done:
-    sb_csv_free(&csv[SB_BASE]);
-    sb_csv_free(&csv[SB_HEAD]);
+    good = good && find_lost(&csv[SB_BASE], &csv[SB_HEAD], lost, err);
+    for (int side = 0; side < SB_SIDES; side++)
+        sb_csv_free(&csv[side]);
     sb_arena_free(&arena);
-    return lost;
+    return good;
+}
+
+void sb_gate_lost_free(struct sb_gate_lost *lost)
+{
+    free(lost->it);
+    sb_arena_free(&lost->arena);
+    *lost = (struct sb_gate_lost){0};
 }

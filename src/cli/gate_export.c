@@ -12,13 +12,20 @@ bool sb_gate_base_failed(const struct sb_gate_row *row)
            strcmp(row->status_of, sb_side_names[SB_BASE]) == 0;
 }
 
+// Of a self-test: did equal programs read as more apart than the tolerance allows (stats/gate.h)?
+static bool is_biased(const struct sb_gate_row *row)
+{
+    return !row->verdict && isfinite(row->ratio) &&
+           2 * fabs(row->ratio - 1) > row->tolerance;
+}
+
 static enum sb_export_outcome outcome_of(const struct sb_gate_row *row)
 {
     const enum sb_status status = sb_status_find(row->status);
     if (status == SB_WORSE_PICTURE)
         return SB_EXPORT_FAILED;
-    if (!row->verdict)
-        return SB_EXPORT_PASSED; // of a self-test
+    if (!row->verdict) // of a self-test
+        return is_biased(row) ? SB_EXPORT_ERROR : SB_EXPORT_PASSED;
     if (sb_gate_base_failed(row))
         return SB_EXPORT_SKIPPED; // nothing to hold head against, which is no fault of its
     switch (sb_gate_verdict_find(row->verdict)) {
@@ -92,6 +99,8 @@ static void fill_side(const struct sb_gate_shown *shown, int i, enum sb_side sid
     };
     if (strcmp(row->status, "ok") != 0)
         to->status = row->status;
+    else if (is_biased(row))
+        to->status = sb_status_rows[SB_SAMPLES_INVALID].word;
     if (count > 0 && shown->result->metric != SB_METRIC_INSTRUCTIONS) {
         to->sample_ns = per_frame(sb_gate_values(shown->result, i, side), count,
                                   (int)row->batch, arena);
@@ -106,8 +115,29 @@ static void fill_side(const struct sb_gate_shown *shown, int i, enum sb_side sid
         return;
     to->ratio = (struct sb_interval){
         .point = row->ratio, .lo = row->ratio_lo, .hi = row->ratio_hi, .n = count};
-    to->message = row->note;
+    to->message = row->note || !is_biased(row)
+                      ? row->note
+                      : "two equal programs read as different by more than half the "
+                        "tolerance: refused";
     to->details = details_of(row, arena);
+}
+
+// A hard case that head does not hold has a result of its own, without a time. Those that it
+// holds are in cases.csv.
+static void fill_lost(const struct sb_gate_lost_case *lost, struct sb_export_row *to)
+{
+    const struct sb_interval none = {.point = NAN, .lo = NAN, .hi = NAN};
+    *to = (struct sb_export_row){
+        .scene = "hard cases",
+        .variant = lost->cell,
+        .side = sb_side_names[SB_HEAD],
+        .outcome = SB_EXPORT_FAILED,
+        .status = "fail",
+        .message = lost->says,
+        .frame_ns = none,
+        .cpu_ns = NAN,
+        .ratio = none,
+    };
 }
 
 static const char *number(struct sb_arena *arena, double value)
@@ -121,8 +151,10 @@ void sb_gate_export(const struct sb_gate_shown *shown, struct sb_arena *arena,
 {
     const struct sb_gate_result *result = shown->result;
     enum { PROPERTIES = 8 };
+    const int lost = shown->lost ? shown->lost->count : 0;
+    const int rows = SB_SIDES * result->row_count;
     struct sb_export_row *row =
-        sb_arena_alloc(arena, (SB_SIDES * (size_t)result->row_count + 1) * sizeof *row);
+        sb_arena_alloc(arena, (size_t)(rows + lost + 1) * sizeof *row);
     struct sb_export_property *property =
         sb_arena_alloc(arena, PROPERTIES * sizeof *property);
     const struct sb_export_property found[PROPERTIES] = {
@@ -141,11 +173,13 @@ void sb_gate_export(const struct sb_gate_shown *shown, struct sb_arena *arena,
     for (int i = 0; i < result->row_count; i++)
         for (int side = 0; side < SB_SIDES; side++)
             fill_side(shown, i, (enum sb_side)side, arena, &row[SB_SIDES * i + side]);
+    for (int i = 0; i < lost; i++)
+        fill_lost(&shown->lost->it[i], &row[rows + i]);
     *export = (struct sb_export){
         .name = sb_arena_printf(arena, "shadebench gate %s", shown->suite->name),
         .property = property,
         .property_count = PROPERTIES,
         .row = row,
-        .row_count = SB_SIDES * result->row_count,
+        .row_count = rows + lost,
     };
 }

@@ -39,6 +39,14 @@ static void print_counting(const struct sb_gate_result *result)
     printf("\n");
 }
 
+static bool any_timed(const struct sb_gate_result *result)
+{
+    for (int i = 0; i < result->row_count; i++)
+        if (result->row[i].pairs != SB_NO_COUNT)
+            return true;
+    return false;
+}
+
 static void print_head(const struct sb_gate_shown *shown)
 {
     const struct sb_gate_result *result = shown->result;
@@ -60,6 +68,10 @@ static void print_head(const struct sb_gate_shown *shown)
                : "");
     if (result->metric == SB_METRIC_INSTRUCTIONS) {
         print_counting(result);
+        return;
+    }
+    if (!any_timed(result)) {
+        printf("rule: no variant was timed\n\n");
         return;
     }
     printf("rule: tolerance %.3g %%, alpha %.3g %% over %d timed variants, looks at %d "
@@ -214,8 +226,8 @@ static void print_foot(const struct sb_gate_shown *shown)
         printf(
             "skipped: the final sources of both sides are equal, so there is nothing to "
             "time\n");
-    if (shown->cases_lost >= 0)
-        printf("hard cases: %d that base passes and head does not\n", shown->cases_lost);
+    if (shown->lost)
+        printf("hard cases: %d that base passes and head does not\n", shown->lost->count);
     if (isfinite(result->counting.repeatability) &&
         result->metric == SB_METRIC_INSTRUCTIONS)
         print_repeatability(&result->counting);
@@ -264,8 +276,8 @@ json_t *sb_gate_json(const struct sb_gate_shown *shown)
         json_object_set_new(object, "mde", json_real(result->median_mde));
     if (shown->options->selftest && isfinite(result->bias.bias))
         json_object_set_new(object, "bias", json_real(result->bias.bias));
-    if (shown->cases_lost >= 0)
-        json_object_set_new(object, "cases_lost", json_integer(shown->cases_lost));
+    if (shown->lost)
+        json_object_set_new(object, "cases_lost", json_integer(shown->lost->count));
     json_object_set_new(object, "verdicts", counts);
     json_object_set_new(object, "rows", rows);
     return object;

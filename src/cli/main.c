@@ -108,10 +108,21 @@ static int run_word(int argc, char **argv)
     return argc > 1 ? 0 : sb_status_rows[SB_USAGE].exit_code;
 }
 
+// git bisect run takes codes up to 127 for "bad", which a word that is not understood is not: 128
+// ends the bisection. The gate itself ends with no usage code there (cli/gate.c).
+static int bisect_code(int argc, char **argv, int code)
+{
+    if (code == sb_status_rows[SB_USAGE].exit_code)
+        for (int i = 1; i < argc; i++)
+            if (strcmp(argv[i], "--bisect") == 0)
+                return SB_EXIT_STOP_BISECTION;
+    return code;
+}
+
 int main(int argc, char **argv)
 {
     claim_descriptors();
-    const int code = run_word(argc, argv);
+    const int code = bisect_code(argc, argv, run_word(argc, argv));
     // A closed stdout, or a full disk behind it, is no success.
     const bool printed = fflush(stdout) == 0 && !ferror(stdout);
     if (!printed)

@@ -30,11 +30,11 @@ struct sb_options {
     const char *data, *shaders, *preset, *scene, *output, *resume, *timer, *device, *dump,
         *pixel, *form, *precision, *search, *seed, *programs, *demands, *costs, *ms,
         *program_cache, *worker, *worker_limit, *tolerance, *base, *head, *metric,
-        *platform, *file, *commit, *date, *pairs, *variant, *recent;
+        *platform, *file, *commit, *date, *pairs, *variant, *recent, *cases;
     bool json, quiet, verbose, help, images, validate, classes, pareto, terms, all,
         breaking, time, payback, ablate, policies, ablation, effects, exhaustive,
         in_process, force, check, fail_on_inconclusive, selftest, keep_equal, bisect,
-        hard_cases, driver_stats, wide;
+        driver_stats, wide;
     struct sb_assignments set, sweep, cross, setting;
     struct sb_assignments base_set, head_set, base_env, head_env;
     struct sb_outputs write;

@@ -1,15 +1,11 @@
 #include "cli/platforms.h"
 
-#include <errno.h>
-#include <fcntl.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "base/file.h"
 #include "base/log.h"
+#include "base/process.h"
 #include "base/words.h"
 #include "measure/interrupt.h"
 #include "results/rows.h"
@@ -110,11 +106,11 @@ static bool is_left_out(const char *word, bool *takes_value)
     return false;
 }
 
-static char **words_of(const struct sb_platforms_run *run, const char *program,
-                       const char *label, struct sb_arena *arena)
+static const char **words_of(const struct sb_platforms_run *run, const char *program,
+                             const char *label, struct sb_arena *arena)
 {
     const size_t count = json_array_size(run->arguments);
-    char **words = sb_arena_alloc(arena, (count + 8) * sizeof *words);
+    const char **words = sb_arena_alloc(arena, (count + 8) * sizeof *words);
     int n = 0;
     words[n++] = sb_arena_strdup(arena, program);
     words[n++] = sb_arena_strdup(arena, "run");
@@ -136,25 +132,18 @@ static int run_one(const struct sb_platforms_run *run, const char *program,
                    const char *label)
 {
     struct sb_arena arena = {0};
-    int status = 0;
-    char **words = words_of(run, program, label, &arena);
-    fflush(NULL);
-    const pid_t pid = fork();
-    if (pid == 0) {
-        const int nothing = run->quiet_output ? open("/dev/null", O_WRONLY) : -1;
-        if (nothing >= 0)
-            dup2(nothing, 1);
-        execv(program, words);
-        _exit(127);
-    }
-    while (pid > 0 && waitpid(pid, &status, 0) < 0 && errno == EINTR)
-        continue;
+    struct sb_error err = {0};
+    int exit_code = -1;
+    const struct sb_process_params params = {
+        .words = words_of(run, program, label, &arena),
+        .output = run->quiet_output ? SB_STREAM_DROPPED : SB_STREAM_KEPT,
+    };
+    const bool ended = sb_process_run(&params, &exit_code, &err);
     sb_arena_free(&arena);
-    if (pid > 0 && WIFEXITED(status))
-        return WEXITSTATUS(status);
-    sb_warn("%s: the run was killed; what it had measured is in %s/%s", label, run->dir,
-            label);
-    return sb_status_rows[SB_WORKER_CRASHED].exit_code;
+    if (ended)
+        return exit_code;
+    sb_warn("%s: %s; what it had measured is in %s/%s", label, err.text, run->dir, label);
+    return sb_status_rows[err.status].exit_code;
 }
 
 // The rows of one run; texts move into the arena of all by staying where they are: the file's.

@@ -175,6 +175,11 @@ static void print_head(const struct sb_suite *suite, const struct sb_row *row,
     if (suite->about && suite->about[0])
         printf("%s: %s\n", suite->name, suite->about);
     printf("driver: %s, %s\n", row->renderer, row->version);
+    if (!isfinite(row->timer_error)) {
+        printf("timer: %s; pictures and errors alone, nothing was timed\n\n",
+               row->timer_source);
+        return;
+    }
     printf("timer: %s, within %.1f %% of the wall clock of long drained batches\n",
            row->timer_source, 100 * row->timer_error);
     if (!same_kind)
@@ -347,7 +352,7 @@ static int run_suite(const struct sb_options *options, json_t *arguments,
     struct sb_run_result result = {0};
     struct sb_expected expected = {0};
     struct sb_platforms platforms;
-    struct sb_driver_params driver;
+    struct sb_driver_params driver = {0};
     int code;
     const char *path = NULL, *dir = NULL;
     const char *data = sb_data_dir(arena, options->data, &err);
@@ -399,7 +404,7 @@ static int run_suite(const struct sb_options *options, json_t *arguments,
         sb_info("%s: %d variants; results go to %s", suite.name, suite.entry_count, dir);
         good = sb_run(&params, &result, &err);
     }
-    const bool more = good && !result.interrupted &&
+    const bool more = good && !result.interrupted && !sb_driver_untimed(&driver) &&
                       result.processes_done < (int)suite.measure.processes;
     // What an interrupted run has not measured is no miss.
     const bool judged = options->check && result.row && !result.interrupted && !more;

@@ -98,9 +98,27 @@ bool sb_driver_use_timer(struct sb_driver *driver, const char *wanted,
     return driver->fns->use_timer(driver->runner, driver->timer, err);
 }
 
+bool sb_driver_untimed(const struct sb_driver_params *params)
+{
+    return params->timer && strcmp(params->timer, "none") == 0;
+}
+
+static bool open_untimed(const struct sb_driver_params *params, struct sb_driver *driver,
+                         struct sb_error *err)
+{
+    if (!sb_driver_connect(params, driver, err))
+        return false;
+    if (sb_driver_probe(driver, err))
+        return true;
+    sb_driver_close(driver);
+    return false;
+}
+
 bool sb_driver_open(const struct sb_driver_params *params, struct sb_driver *driver,
                     struct sb_error *err)
 {
+    if (sb_driver_untimed(params))
+        return open_untimed(params, driver, err);
     if (!sb_driver_examine(params, driver, err))
         return false;
     if (sb_driver_use_timer(driver, params->timer, err))

@@ -7,7 +7,8 @@
 struct sb_driver_params {
     const struct sb_runner_fns *runner;
     struct sb_context_params context;
-    const char *timer; // a source's name; NULL or "auto": the first credible one
+    // A source's name; NULL or "auto": the first credible one; "none": nothing will be timed.
+    const char *timer;
 };
 
 struct sb_driver {
@@ -24,10 +25,12 @@ struct sb_driver {
 #define SB_TIMER_TOLERANCE 0.05
 
 // Opens, audits, chooses a timer, probes. SB_NO_TIMER tells of every source why not; a source
-// that was asked for by name is used only if it is credible, too.
+// that was asked for by name is used only if it is credible, too. With the timer "none" there is no
+// audit, and `timer` is -1.
 bool sb_driver_open(const struct sb_driver_params *params, struct sb_driver *driver,
                     struct sb_error *err);
 void sb_driver_close(struct sb_driver *driver);
+bool sb_driver_untimed(const struct sb_driver_params *params); // the timer is "none"
 
 // Is the job still there? False with why it was given up (job.h, `holds`).
 bool sb_driver_holds(const struct sb_driver *driver, uint32_t job, struct sb_error *err);

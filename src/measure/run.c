@@ -95,6 +95,7 @@ static void prepare_all(struct sb_run_state *run)
     for (int i = 0; i < run->task_count && !sb_interrupted(); i++) {
         show_stage("compiling variant", i, run->task_count);
         sb_task_prepare(&run->task[i], &params, (uint32_t)i + 1);
+        run->task[i].untimed |= sb_driver_untimed(&run->params->driver);
     }
     sb_check_same_code(run->task, run->task_count);
 }

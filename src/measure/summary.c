@@ -372,7 +372,10 @@ void sb_summarise(const struct sb_summary_params *params, struct sb_row *row,
                   struct sb_arena *arena)
 {
     const struct sb_driver *driver = params->driver;
-    const struct sb_timer_source *timer = &driver->audit.source[driver->timer];
+    const struct sb_timer_source none = {.name = "none", .error = NAN},
+                                 *timer = driver->timer < 0
+                                              ? &none
+                                              : &driver->audit.source[driver->timer];
     for (int i = 0; i < params->task_count; i++) {
         const struct sb_task *task = &params->task[i];
         sb_row_init(&row[i]);

@@ -160,6 +160,28 @@ static void what_does_not_compile_is_told_in_the_drivers_words(void **state)
     sb_csv_free(&csv);
 }
 
+// In the scene no normal is zero, so the pictures are equal; the hard case tells.
+static void a_guard_that_is_gone_is_a_lost_hard_case(void **state)
+{
+    (void)state;
+    copy_shaders("unguarded",
+                 "s/v2 > 0.0 ? v \\* inversesqrt(v2) : v;/v * inversesqrt(v2);/",
+                 "unit.glsl");
+    hold("unguarded", "--cases zero-normal,light-order --write junit=@/lost.xml");
+    check_gate(1, 1, "picture", "equal");
+    check_contains(answer.text,
+                   "hard case zero-normal fragment highp: base passes with ");
+    check_contains(answer.text, " that base passes and head does not");
+    assert_null(strstr(answer.text, "hard case light-order"));
+    sb_csv_free(&csv);
+    char *junit = read_file("lost.xml");
+    check_contains(junit,
+                   "<testcase classname=\"hard cases\" name=\"zero-normal fragment "
+                   "highp\"");
+    check_contains(junit, "<failure message=\"fail: base passes with ");
+    free(junit);
+}
+
 // What everybody knows, said of two drivers in two processes.
 static void softpipe_is_slower_than_llvmpipe(void **state)
 {
@@ -204,6 +226,7 @@ int main(void)
         cmocka_unit_test(work_that_changes_no_pixel_is_a_regression),
         cmocka_unit_test(a_picture_that_is_not_a_number_is_not_timed),
         cmocka_unit_test(what_does_not_compile_is_told_in_the_drivers_words),
+        cmocka_unit_test(a_guard_that_is_gone_is_a_lost_hard_case),
         cmocka_unit_test(softpipe_is_slower_than_llvmpipe),
         cmocka_unit_test(a_selftest_tells_the_bias_of_this_machine),
     };
