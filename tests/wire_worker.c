@@ -18,7 +18,7 @@ struct world {
     struct sb_job job[3];
     char once[64];
     struct sb_text fault, marker;
-    const char *environment[2];
+    const char *environment[3];
 };
 
 static const struct sb_runner_fns *const fns = &sb_runner_worker;
@@ -43,11 +43,9 @@ static void describe(struct world *world, const char *fault, bool once)
     };
 }
 
-static void start(struct world *world, const char *fault, bool once)
+static void start_described(struct world *world)
 {
     struct sb_error err = {0};
-    *world = (struct world){0};
-    describe(world, fault, once);
     world->runner = fns->open(&world->params, &world->caps, &err);
     if (!world->runner)
         print_error("%s\n", err.text);
@@ -59,6 +57,13 @@ static void start(struct world *world, const char *fault, bool once)
             .id = i + 1, .scene = "room", .program = &program, .program_count = 1};
         sb_variant_init(sb_axes_builtin(), &world->job[i].variant);
     }
+}
+
+static void start(struct world *world, const char *fault, bool once)
+{
+    *world = (struct world){0};
+    describe(world, fault, once);
+    start_described(world);
 }
 
 static void prepare_all(struct world *world)
@@ -287,6 +292,65 @@ static void a_fault_in_a_picture_is_tried_again_once(void **state)
     end(&world);
 }
 
+// A fault that takes down the first worker; what the variable marks, each later one does.
+static void start_marked(struct world *world, const char *variable)
+{
+    static struct sb_text marked;
+    struct sb_error err = {0};
+    *world = (struct world){0};
+    describe(world, "exit@round:2", true);
+    sb_text_clear(&marked);
+    sb_text_printf(&marked, "%s=%s-mark", variable, world->once);
+    unlink(strchr(marked.data, '=') + 1);
+    world->environment[2] = marked.data;
+    world->params.environment_count = 3;
+    start_described(world);
+    assert_true(fns->use_timer(world->runner, 0, &err));
+    prepare_all(world);
+    check_flags(world, SB_SAMPLE_LOST, SB_SAMPLE_LOST, SB_SAMPLE_LOST);
+}
+
+// None of what is asked afterwards may be drawn by the worker that was started in between.
+static void check_refused(struct world *world, const char *why)
+{
+    for (int i = 0; i < 2; i++) {
+        struct sb_error err = {0};
+        struct sb_prepared prepared;
+        struct sb_image image = {0};
+        struct sb_sample sample[3];
+        struct sb_job job = world->job[0];
+        job.id = 10 + (uint32_t)i;
+        assert_false(fns->prepare(world->runner, &job, &prepared));
+        check_contains(prepared.error.text, why);
+        const struct sb_image_request request = {.job = 1};
+        assert_false(fns->image(world->runner, &request, &image, &err));
+        check_contains(err.text, why);
+        const struct sb_shot shot = {.job = 3, .frames = 1, .shrink = 1};
+        err = (struct sb_error){0};
+        assert_false(fns->round(world->runner, &shot, 1, sample, &err));
+        check_contains(err.text, why);
+        assert_int_equal(sample[0].flags, SB_SAMPLE_LOST);
+    }
+}
+
+static void a_fresh_worker_with_another_driver_draws_nothing(void **state)
+{
+    (void)state;
+    struct world world;
+    start_marked(&world, "OTHER_DRIVER");
+    check_refused(&world, "a fresh worker found another driver, another ");
+    end(&world);
+}
+
+static void a_fresh_worker_without_the_timer_draws_nothing(void **state)
+{
+    (void)state;
+    struct world world;
+    start_marked(&world, "NO_TIMER");
+    check_refused(&world, "there is no such timer");
+    end(&world);
+}
+
 static void a_driver_that_dies_when_opened_is_told(void **state)
 {
     (void)state;
@@ -410,6 +474,8 @@ int main(void)
         cmocka_unit_test(a_job_that_takes_down_two_workers_is_given_up),
         cmocka_unit_test(a_fault_in_prepare_is_tried_again_once),
         cmocka_unit_test(a_fault_in_a_picture_is_tried_again_once),
+        cmocka_unit_test(a_fresh_worker_with_another_driver_draws_nothing),
+        cmocka_unit_test(a_fresh_worker_without_the_timer_draws_nothing),
         cmocka_unit_test(a_driver_that_dies_when_opened_is_told),
         cmocka_unit_test(a_command_that_is_no_worker_is_told),
         cmocka_unit_test(instructions_come_where_they_were_asked_for),

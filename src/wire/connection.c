@@ -165,6 +165,15 @@ bool sb_connection_tell_timer(struct sb_connection *line, struct sb_error *err)
     return good;
 }
 
+// Ends a worker that is of no use. False, for who returns it.
+static bool dismiss(struct sb_connection *line)
+{
+    struct sb_text ignored = {0};
+    sb_child_end(&line->child, 5, &ignored);
+    sb_text_free(&ignored);
+    return false;
+}
+
 static bool start(struct sb_connection *line, struct sb_caps *caps, struct sb_error *err)
 {
     const struct sb_child_params params = {
@@ -172,19 +181,25 @@ static bool start(struct sb_connection *line, struct sb_caps *caps, struct sb_er
         .environment = line->params.environment,
         .environment_count = line->params.environment_count,
     };
-    struct sb_text ignored = {0};
     line->count++;
-    if (!sb_child_start(&params, &line->child, err))
-        return false;
-    if (open_context(line, caps, err))
-        return true;
-    sb_child_end(&line->child, 5, &ignored);
-    sb_text_free(&ignored);
-    return false;
+    return sb_child_start(&params, &line->child, err) &&
+           (open_context(line, caps, err) || dismiss(line));
+}
+
+static bool is_same_driver(const struct sb_connection *line, const struct sb_caps *caps,
+                           struct sb_error *err)
+{
+    return (strcmp(caps->renderer, line->caps.renderer) == 0 &&
+            strcmp(caps->version, line->caps.version) == 0) ||
+           sb_fail(err, SB_GL_ERROR,
+                   "a fresh worker found another driver, %s %s instead of %s %s",
+                   caps->renderer, caps->version, line->caps.renderer,
+                   line->caps.version);
 }
 
 // Starts a fresh worker where there is none. It must be the same driver: else its times would
-// stand beside those of another.
+// stand beside those of another. One that is not, or that has no timer, must not be there when
+// it is asked for again.
 bool sb_connection_ensure(struct sb_connection *line, struct sb_error *err)
 {
     struct sb_caps caps;
@@ -192,14 +207,11 @@ bool sb_connection_ensure(struct sb_connection *line, struct sb_error *err)
         return true;
     if (!start(line, &caps, err))
         return false;
-    if (strcmp(caps.renderer, line->caps.renderer) != 0 ||
-        strcmp(caps.version, line->caps.version) != 0)
-        return sb_fail(err, SB_GL_ERROR,
-                       "a fresh worker found another driver, %s %s instead of %s %s",
-                       caps.renderer, caps.version, line->caps.renderer,
-                       line->caps.version);
+    if (!is_same_driver(line, &caps, err) ||
+        (line->timer >= 0 && !sb_connection_tell_timer(line, err)))
+        return dismiss(line);
     sb_debug("worker %d goes on", line->count);
-    return line->timer < 0 || sb_connection_tell_timer(line, err);
+    return true;
 }
 
 // --- from the first to the last ------------------------------------------------------------------

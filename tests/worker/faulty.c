@@ -1,6 +1,8 @@
 // A worker that draws nothing and goes wrong on demand. FAULT=what@call[:job]: what it does when it
 // is asked for that call (of that job, where one is named). ONCE=FILE: only if there is no such
-// file, which it makes. AFTER=N: not at the first N of these calls.
+// file, which it makes. AFTER=N: not at the first N of these calls. OTHER_DRIVER=FILE, NO_TIMER=FILE:
+// where there is such a file, which the first worker makes, it names another driver, and refuses
+// the timer.
 #include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
@@ -65,11 +67,26 @@ static void maybe(const char *call, uint32_t job)
     do_fault(fault);
 }
 
+static bool is_made(const char *variable)
+{
+    const char *mark = getenv(variable);
+    return mark && open(mark, O_CREAT | O_EXCL | O_WRONLY, 0600) < 0;
+}
+
 static void *open_faulty(const struct sb_context_params *params, struct sb_caps *caps,
                          struct sb_error *err)
 {
     maybe("open", 0);
-    return sb_runner_null.open(params, caps, err);
+    void *self = sb_runner_null.open(params, caps, err);
+    if (is_made("OTHER_DRIVER"))
+        snprintf(caps->renderer, sizeof caps->renderer, "another");
+    return self;
+}
+
+static bool use_timer_faulty(void *self, int source, struct sb_error *err)
+{
+    return is_made("NO_TIMER") ? sb_fail(err, SB_GL_ERROR, "there is no such timer")
+                               : sb_runner_null.use_timer(self, source, err);
 }
 
 static bool prepare_faulty(void *self, const struct sb_job *job,
@@ -105,6 +122,7 @@ int main(void)
     protocol = fcntl(1, F_DUPFD, 64);
     faulty = sb_runner_null;
     faulty.open = open_faulty;
+    faulty.use_timer = use_timer_faulty;
     faulty.prepare = prepare_faulty;
     faulty.round = round_faulty;
     faulty.image = image_faulty;
