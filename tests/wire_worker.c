@@ -9,6 +9,8 @@
 #include "base/text.h"
 #include "job/null.h"
 #include "test.h"
+#include "wire/connection.h"
+#include "wire/messages.h"
 #include "wire/worker.h"
 
 struct world {
@@ -351,6 +353,27 @@ static void a_fresh_worker_without_the_timer_draws_nothing(void **state)
     end(&world);
 }
 
+// The watch over the other end must not cut short an end that was asked for.
+static void a_driver_that_is_slow_to_close_ends_in_good_order(void **state)
+{
+    (void)state;
+    struct world world = {0};
+    struct sb_connection line;
+    struct sb_error err = {0};
+    struct sb_text how = {0};
+    describe(&world, "slow@close", false);
+    assert_true(sb_connection_open(&line, &world.params, &err));
+    struct sb_frame request = {.head = sb_wire_call("close")};
+    assert_true(sb_connection_send(&line, "closing", &request, &err));
+    sb_frame_free(&request);
+    sb_child_end(&line.child, 10, &how);
+    assert_string_equal(sb_text_get(&how), "ended with exit code 0");
+    sb_connection_close(&line);
+    sb_text_free(&how);
+    sb_text_free(&world.fault);
+    sb_text_free(&world.marker);
+}
+
 static void a_driver_that_dies_when_opened_is_told(void **state)
 {
     (void)state;
@@ -476,6 +499,7 @@ int main(void)
         cmocka_unit_test(a_fault_in_a_picture_is_tried_again_once),
         cmocka_unit_test(a_fresh_worker_with_another_driver_draws_nothing),
         cmocka_unit_test(a_fresh_worker_without_the_timer_draws_nothing),
+        cmocka_unit_test(a_driver_that_is_slow_to_close_ends_in_good_order),
         cmocka_unit_test(a_driver_that_dies_when_opened_is_told),
         cmocka_unit_test(a_command_that_is_no_worker_is_told),
         cmocka_unit_test(instructions_come_where_they_were_asked_for),

@@ -11,6 +11,9 @@
 
 #include "base/clock.h"
 #include "base/environment.h"
+#include "base/log.h"
+
+enum { KILLED_S = 5 }; // within which a process that was killed should be gone
 
 // Between fork and exec: only what is safe there, but for the environment, which is this
 // process's own copy; shadebench has one thread whenever it starts a worker.
@@ -82,21 +85,37 @@ static void tell(int status, struct sb_text *how)
     sb_text_printf(how, "was killed by signal %d", number);
 }
 
+enum wait_end { ENDED, RUNS, UNKNOWN };
+
+static enum wait_end wait_for(pid_t pid, double seconds, int *status)
+{
+    const int64_t deadline = sb_clock_ns() + (int64_t)(seconds * 1e9);
+    for (;;) {
+        const pid_t ended = waitpid(pid, status, WNOHANG);
+        if (ended == pid)
+            return ENDED;
+        if (ended < 0 && errno != EINTR)
+            return UNKNOWN;
+        if (sb_clock_ns() >= deadline)
+            return RUNS;
+        sb_sleep_ns(1000000);
+    }
+}
+
 void sb_child_end(struct sb_child *child, double seconds, struct sb_text *how)
 {
     int status = 0;
-    pid_t ended = 0;
     if (child->pid <= 0)
         return;
     close(child->fd);
-    const int64_t deadline = sb_clock_ns() + (int64_t)(seconds * 1e9);
-    while ((ended = waitpid(child->pid, &status, WNOHANG)) == 0 &&
-           sb_clock_ns() < deadline)
-        sb_sleep_ns(1000000);
+    const enum wait_end end = wait_for(child->pid, seconds, &status);
     kill(-child->pid, SIGKILL); // what it has started, too
-    if (ended == 0)
-        waitpid(child->pid, &status, 0);
-    else if (ended > 0)
+    if (end == ENDED)
         tell(status, how);
+    // A process in the midst of a system call that cannot be interrupted, as a GPU's driver may
+    // be, outlives even that. Whoever waits for it hangs, too.
+    if (end == RUNS && wait_for(child->pid, KILLED_S, &status) == RUNS)
+        sb_warn("process %d hangs in the kernel and cannot be killed; it is left behind",
+                (int)child->pid);
     *child = (struct sb_child){.fd = -1};
 }

@@ -25,5 +25,6 @@ bool sb_child_start(const struct sb_child_params *params, struct sb_child *child
 
 // Closes the socket and waits: up to `seconds` for it to end by itself, then it is killed, with
 // what it has started. Appends how it ended: "was killed by SIGSEGV", "ended with exit code 1";
-// nothing where it had to be killed. Zeroes *child.
+// nothing where it had to be killed. One that even then is there after seconds is left behind, with a
+// warning. Zeroes *child.
 void sb_child_end(struct sb_child *child, double seconds, struct sb_text *how);

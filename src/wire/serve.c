@@ -216,7 +216,10 @@ int sb_serve(const struct sb_serve_params *params)
             sb_frame_read(params->in, &request, SB_NO_DEADLINE, &err);
         if (end == SB_FRAME_GARBAGE)
             code = sb_status_rows[SB_BAD_INPUT].exit_code;
-        more = end == SB_FRAME_OK && !is_close(&request);
+        const bool closing = end == SB_FRAME_OK && is_close(&request);
+        if (closing && params->closing)
+            atomic_store(params->closing, true);
+        more = end == SB_FRAME_OK && !closing;
         if (more && !answer_one(&server, &request)) {
             code = sb_status_rows[SB_WRITE_FAILED].exit_code;
             more = false;

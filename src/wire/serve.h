@@ -1,6 +1,8 @@
 // The worker's side of the conversation: a runner, asked over a pipe.
 #pragma once
 
+#include <stdatomic.h>
+
 #include "job/job.h"
 
 struct sb_serve_params {
@@ -8,6 +10,7 @@ struct sb_serve_params {
     // The runner for a kind of context, or NULL with *err.
     const struct sb_runner_fns *(*runner)(const struct sb_context_params *,
                                           struct sb_error *err);
+    atomic_bool *closing; // set once `close` was asked; NULL: nobody wants to know
 };
 
 // Answers until `close` is asked or `in` ends; then the runner is closed. 0, or the exit code that

@@ -4,17 +4,26 @@
 #include <poll.h>
 #include <pthread.h>
 #include <signal.h>
+#include <stdatomic.h>
 #include <unistd.h>
 
 #include "base/log.h"
 #include "wire/serve.h"
+
+// Time to end in good order. A driver that was asked to close may take longer than one whose work
+// nobody waits for: longer than the other side waits (connection.c), which then kills it.
+enum { VANISHED_S = 2, ASKED_S = 15 };
+
+static atomic_bool closing; // the end was asked for
 
 static void *watch(void *descriptor)
 {
     struct pollfd one = {.fd = *(const int *)descriptor, .events = 0};
     while (poll(&one, 1, -1) < 1 || !(one.revents & (POLLHUP | POLLERR | POLLNVAL)))
         continue;
-    sleep(2); // time to end in good order
+    sleep(VANISHED_S); // by now the last request was read, if one is read at all
+    if (atomic_load(&closing))
+        sleep(ASKED_S - VANISHED_S);
     _exit(sb_status_rows[SB_INTERRUPTED].exit_code);
 }
 
@@ -40,5 +49,6 @@ int sb_worker_main(const struct sb_runner_fns *(*runner)(const struct sb_context
         sb_warn("this worker's descriptors cannot be set up");
         return sb_status_rows[SB_INTERNAL].exit_code;
     }
-    return sb_serve(&(struct sb_serve_params){.in = in, .out = out, .runner = runner});
+    return sb_serve(&(struct sb_serve_params){
+        .in = in, .out = out, .runner = runner, .closing = &closing});
 }

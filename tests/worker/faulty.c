@@ -44,6 +44,8 @@ static void do_fault(const char *what)
         (void)!write(protocol, noise, sizeof noise);
     else if (strncmp(what, "memory", 6) == 0)
         run_out_of_memory();
+    else if (strncmp(what, "slow", 4) == 0)
+        sleep(3); // longer than a worker lives whose other end has vanished
     else if (strncmp(what, "print", 5) == 0) {
         printf("%s\n", noise);
         fflush(stdout);
@@ -89,6 +91,12 @@ static bool use_timer_faulty(void *self, int source, struct sb_error *err)
                                : sb_runner_null.use_timer(self, source, err);
 }
 
+static void close_faulty(void *self)
+{
+    maybe("close", 0);
+    sb_runner_null.close(self);
+}
+
 static bool prepare_faulty(void *self, const struct sb_job *job,
                            struct sb_prepared *prepared)
 {
@@ -126,5 +134,6 @@ int main(void)
     faulty.prepare = prepare_faulty;
     faulty.round = round_faulty;
     faulty.image = image_faulty;
+    faulty.close = close_faulty;
     return sb_worker_main(pick_runner);
 }
