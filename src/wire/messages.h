@@ -6,8 +6,8 @@
 #include "wire/fields.h"
 #include "wire/frame.h"
 
-// Both sides must be of one version, and have one list of axes.
-enum { SB_WIRE_VERSION = 1 };
+// Both sides must be of one version, and have one list of axes. It grows with every field.
+enum { SB_WIRE_VERSION = 2 };
 uint64_t sb_wire_axes_hash(void);
 
 // --- requests --------------------------------------------------------------------------------
