@@ -267,35 +267,6 @@ static void lines_say_what_was_expected_of_which_row_and_what_was_measured(void 
     sb_text_free(&text);
 }
 
-static void junit_has_a_case_for_each_finding(void **state)
-{
-    (void)state;
-    struct sb_arena arena = {0};
-    struct sb_text text = {0};
-    struct sb_junit junit;
-    expect("nonfinite", "0");
-    expect("median_ms", "<= 4");
-    expect("max_err", "< 1/255");
-    assert_true(resolve());
-    sb_expect_check(&expected, row, 1);
-    sb_expect_junit(&expected, "budgets", &arena, &junit);
-    assert_int_equal(junit.count, 1);
-    assert_int_equal(junit.suite->count, 3);
-    const struct sb_junit_case *cases = junit.suite->row;
-    assert_string_equal(cases[0].class_name, "sphere");
-    assert_string_equal(cases[0].name, "point=1 nonfinite = 0");
-    assert_int_equal(cases[0].outcome, SB_JUNIT_PASSED);
-    assert_int_equal(cases[1].outcome, SB_JUNIT_SKIPPED);
-    check_contains(cases[1].message, "4 (3.9 … 4.2)");
-    assert_int_equal(cases[2].outcome, SB_JUNIT_FAILED);
-    assert_string_equal(cases[2].type, "max_err");
-    sb_junit_text(&junit, &text);
-    check_contains(text.data, "<testsuite name=\"budgets\" tests=\"3\" failures=\"1\" "
-                              "errors=\"0\" skipped=\"1\">");
-    sb_text_free(&text);
-    sb_arena_free(&arena);
-}
-
 // What is shipped must not fail for a slip in its expectations.
 static void shipped_suites_expect_columns_that_there_are(void **state)
 {
@@ -328,7 +299,6 @@ int main(void)
         TEST(rules_judge_the_rows_that_they_name_and_no_others),
         TEST(bounds_that_are_none_are_answered_where_they_stand),
         TEST(lines_say_what_was_expected_of_which_row_and_what_was_measured),
-        TEST(junit_has_a_case_for_each_finding),
         TEST(shipped_suites_expect_columns_that_there_are),
     };
     return run_tests(tests);

@@ -310,36 +310,3 @@ void sb_expect_text(const struct sb_expect_finding *finding, struct sb_text *tex
     sb_text_printf(text, ": %s (%s)", finding->measured,
                    finding->rule->expectation->bound_at);
 }
-
-void sb_expect_junit(const struct sb_expected *expected, const char *name,
-                     struct sb_arena *arena, struct sb_junit *junit)
-{
-    static const enum sb_junit_outcome outcomes[SB_EXPECT_VERDICT_COUNT] = {
-        [SB_EXPECT_HELD] = SB_JUNIT_PASSED,
-        [SB_EXPECT_MISSED] = SB_JUNIT_FAILED,
-        [SB_EXPECT_INCONCLUSIVE] = SB_JUNIT_SKIPPED,
-    };
-    struct sb_junit_case *row =
-        sb_arena_alloc(arena, ((size_t)expected->finding_count + 1) * sizeof *row);
-    struct sb_junit_suite *suite = sb_arena_alloc(arena, sizeof *suite);
-    struct sb_text text = {0};
-    for (int i = 0; i < expected->finding_count; i++) {
-        const struct sb_expect_finding *finding = &expected->finding[i];
-        row[i].class_name = finding->row ? finding->row->scene : name;
-        row[i].outcome = outcomes[finding->verdict];
-        row[i].type = finding->rule->column->name;
-        sb_text_clear(&text);
-        if (finding->row)
-            sb_text_printf(&text, "%s ", finding->row->variant);
-        sb_expect_rule_text(finding->rule, &text);
-        row[i].name = sb_arena_strdup(arena, sb_text_get(&text));
-        sb_text_clear(&text);
-        sb_expect_text(finding, &text);
-        const char *line = sb_arena_strdup(arena, sb_text_get(&text));
-        row[i].message = finding->verdict == SB_EXPECT_HELD ? NULL : line;
-        row[i].output = finding->verdict == SB_EXPECT_HELD ? line : NULL;
-    }
-    sb_text_free(&text);
-    *suite = (struct sb_junit_suite){name, row, expected->finding_count};
-    *junit = (struct sb_junit){.name = "shadebench run", .suite = suite, .count = 1};
-}

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "base/mem.h"
-#include "results/junit.h"
 #include "results/row.h"
 #include "suite/suite.h"
 
@@ -64,9 +63,3 @@ void sb_expect_free(struct sb_expected *expected);
 // `max_err <= 2/255` and `max_err <= 2/255 of containers point=8: 0.034 (ci.yaml:14:14)`.
 void sb_expect_rule_text(const struct sb_expect_rule *rule, struct sb_text *text);
 void sb_expect_text(const struct sb_expect_finding *finding, struct sb_text *text);
-
-// A suite with a case for each finding: classname the scene, name the variant and the rule; missed
-// is a failure whose type is the column, inconclusive is skipped. What `junit` points to lives in
-// `arena`, or is the findings'.
-void sb_expect_junit(const struct sb_expected *expected, const char *name,
-                     struct sb_arena *arena, struct sb_junit *junit);
