@@ -152,6 +152,89 @@ static void json_has_every_finding(void **state)
     json_decref(json);
 }
 
+// Fields of a test case of JUnit's file, from its name on.
+static const char *case_of(const char *junit, const char *name)
+{
+    const char *at = strstr(junit, name);
+    if (!at)
+        fail_msg("no %s in %s", name, junit);
+    static char part[4096];
+    snprintf(part, sizeof part, "%.*s", (int)(strstr(at, "</testcase>") - at), at);
+    return part;
+}
+
+static void other_programs_are_told_of_all_that_a_row_misses(void **state)
+{
+    (void)state;
+    write_suite("  - {where: {point: 8}, median_ms: \"<= 1e-6\"}\n"
+                "  - {where: {point: 8}, cpu_ms: \"<= 1e-6\"}\n"
+                "  - {where: {point: 8}, ratio: \"<= 1e-6\"}\n");
+    check_answer(run_words("--check --write junit=@/all.xml"), 1, "3 missed");
+    char *junit = read_file("all.xml");
+    const char *it = case_of(junit, "name=\"context=null,point=8\"");
+    check_contains(it, "<failure message=\"missed: median_ms &lt;= 1e-6 of ");
+    check_contains(it, "; cpu_ms &lt;= 1e-6 of ");
+    check_contains(it, "; ratio &lt;= 1e-6 of ");
+    free(junit);
+}
+
+// A time without a timer is inconclusive: behind what is missed it makes nothing better.
+static void the_worst_of_several_findings_is_that_of_the_row(void **state)
+{
+    (void)state;
+    write_suite("  - {where: {point: 8}, max_err: \"<= 1e-9\"}\n"
+                "  - {where: {point: 8}, median_ms: \"<= 1e-6\"}\n");
+    check_answer(run_words("--timer none --check --write junit=@/worst.xml"), 1,
+                 "1 missed, 1 inconclusive");
+    char *junit = read_file("worst.xml");
+    const char *it = case_of(junit, "name=\"context=null,point=8\"");
+    check_contains(it, "<failure message=\"missed: ");
+    check_contains(it, "max_err &lt;= 1e-9 of ");
+    check_contains(it, "; median_ms &lt;= 1e-6 of ");
+    free(junit);
+}
+
+static void a_row_that_failed_by_itself_keeps_its_status(void **state)
+{
+    (void)state;
+    write_suite("  - {where: {point: 8}, median_ms: \"<= 1000\"}\n");
+    setenv("FAULT", "abort@prepare:2", 1);
+    check_answer(run_words("--check --write junit=@/own.xml --worker "
+                           "'exec " SB_FAULTY_WORKER "'"),
+                 3, "1 missed");
+    unsetenv("FAULT");
+    char *junit = read_file("own.xml");
+    const char *it = case_of(junit, "name=\"context=null,point=8\"");
+    check_contains(it, "<error message=\"worker_crashed: ");
+    check_contains(it, "SIGABRT");
+    check_contains(it, "; median_ms &lt;= 1000 of ");
+    check_contains(it, "\nmedian_ms &lt;= 1000 of "); // in the text, too
+    free(junit);
+}
+
+static void a_budget_that_names_no_row_has_no_numbers(void **state)
+{
+    (void)state;
+    write_suite("  - {where: {point: 64}, nonfinite: 0}\n");
+    check_answer(run_words("--check --write junit=@/none.xml --write bencher=@/none.json "
+                           "--write github-action-benchmark=@/none2.json --write "
+                           "go=@/none.txt"),
+                 1, "0 held, 1 missed");
+    static const char *const others[] = {"none.json", "none2.json", "none.txt"};
+    char *junit = read_file("none.xml");
+    check_contains(junit, "<testsuite name=\"expect\" tests=\"1\" failures=\"1\"");
+    const char *it = case_of(junit, "classname=\"expect\"");
+    check_contains(it, "<failure message=\"missed: nonfinite = 0: it names no row (");
+    assert_null(strstr(it, "ms a frame"));
+    free(junit);
+    for (int i = 0; i < 3; i++) {
+        char *text = read_file(others[i]);
+        check_contains(text, "point=8");
+        assert_null(strstr(text, "no row"));
+        free(text);
+    }
+}
+
 int main(void)
 {
     begin_tests();
@@ -164,6 +247,10 @@ int main(void)
         cmocka_unit_test(without_a_timer_errors_are_judged_and_times_are_not),
         cmocka_unit_test(the_last_process_judges_and_so_does_a_resumed_run),
         cmocka_unit_test(json_has_every_finding),
+        cmocka_unit_test(other_programs_are_told_of_all_that_a_row_misses),
+        cmocka_unit_test(the_worst_of_several_findings_is_that_of_the_row),
+        cmocka_unit_test(a_row_that_failed_by_itself_keeps_its_status),
+        cmocka_unit_test(a_budget_that_names_no_row_has_no_numbers),
     };
     return end_tests(run_tests(tests));
 }

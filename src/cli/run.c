@@ -231,41 +231,6 @@ static void print_results(const struct sb_options *options, const struct sb_suit
         printf("interrupted; go on with: shadebench run --resume %s\n", dir);
 }
 
-// What --check found, in the rows that other programs read: a budget that was missed fails its row,
-// one that cannot be decided is not passed. A rule that names no row becomes one.
-static void apply_findings(const struct sb_expected *expected,
-                           const struct sb_run_result *result,
-                           struct sb_exported *exported)
-{
-    const int count = exported->export.row_count;
-    struct sb_export_row *row = sb_arena_alloc(
-        &exported->arena, (size_t)(count + expected->finding_count + 1) * sizeof *row);
-    struct sb_text text = {0};
-    int all = count;
-    memcpy(row, exported->export.row, (size_t)count * sizeof *row);
-    for (int i = 0; i < expected->finding_count; i++) {
-        const struct sb_expect_finding *finding = &expected->finding[i];
-        struct sb_export_row *to =
-            finding->row ? &row[finding->row - result->row] : &row[all];
-        if (finding->verdict == SB_EXPECT_HELD)
-            continue;
-        sb_text_clear(&text);
-        sb_expect_text(finding, &text);
-        if (!finding->row)
-            row[all++] = (struct sb_export_row){
-                .scene = "expect",
-                .variant = sb_arena_strdup(&exported->arena, sb_text_get(&text))};
-        if (to->outcome == SB_EXPORT_PASSED || to->outcome == SB_EXPORT_SKIPPED)
-            to->outcome = finding->verdict == SB_EXPECT_MISSED ? SB_EXPORT_FAILED
-                                                               : SB_EXPORT_SKIPPED;
-        to->status = sb_expect_words[finding->verdict];
-        to->message = sb_arena_strdup(&exported->arena, sb_text_get(&text));
-    }
-    sb_text_free(&text);
-    exported->export.row = row;
-    exported->export.row_count = all;
-}
-
 // For other programs, in the forms that --write asks for; the exit code. `written`: the folder has
 // all that was measured; else its rows are written here still. `expected`: NULL without --check.
 static int write_outputs(const struct sb_options *options, const struct sb_suite *suite,
@@ -287,7 +252,7 @@ static int write_outputs(const struct sb_options *options, const struct sb_suite
     if (!sb_export_from_results(&source, &exported, &err) && written)
         code = sb_cli_fail(&err);
     if (expected)
-        apply_findings(expected, result, &exported);
+        sb_cli_expect_export(expected, result->row, &exported);
     code = sb_exit_code_worse(code, sb_outputs_write(&options->write, &exported.export));
     if (expected && !sb_export_step_summary(&exported.export, &err))
         code = sb_exit_code_worse(code, sb_cli_fail(&err));

@@ -38,6 +38,12 @@ const struct sb_export_format *sb_export_format_find(const char *owner, const ch
 
 // --- rows -----------------------------------------------------------------------------------
 
+const struct sb_export_row sb_export_row_unknown = {
+    .frame_ns = {NAN, NAN, NAN, 0},
+    .cpu_ns = NAN,
+    .ratio = {NAN, NAN, NAN, 0},
+};
+
 void sb_export_row_name(const struct sb_export_row *row, struct sb_text *text)
 {
     sb_text_printf(text, "%s%s%s/%s", row->side ? row->side : "", row->side ? "/" : "",

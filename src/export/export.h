@@ -41,6 +41,9 @@ struct sb_export_row {
     int counter_count;
 };
 
+// All numbers NAN and all texts NULL: what rows without a measurement begin with.
+extern const struct sb_export_row sb_export_row_unknown;
+
 enum sb_export_property_type { SB_EXPORT_TEXT, SB_EXPORT_NUMBER, SB_EXPORT_NUMBERS };
 enum {
     SB_EXPORT_HEAD = 1, // a reader wants it beside the results
