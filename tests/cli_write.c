@@ -172,6 +172,44 @@ static void a_complete_folder_is_written_without_measuring(void **state)
     check_shell("ls @/first.json 2>&1", 2, "No such file");
 }
 
+#define GATE "gate --context null -q --sweep point=1,2 --base @/base "
+
+// Of most changes, which touch no shader: trackers have a point of them all the same.
+static void a_gate_of_equal_shaders_is_a_ratio_of_1(void **state)
+{
+    (void)state;
+    check_shell("cp -r '" SB_SOURCE_DIR "/shaders' @/base", 0, "");
+    json_t *list = run_json(GATE "-o @/equal --write github-action-benchmark=-", 0);
+    assert_int_equal(json_array_size(list), 2);
+    for (size_t i = 0; i < 2; i++) {
+        const json_t *value = json_object_get(json_array_get(list, i), "value");
+        check_close(json_number_value(value), 1, 0);
+    }
+    json_decref(list);
+}
+
+static void a_gate_that_counts_has_ratios_and_counts(void **state)
+{
+    (void)state;
+    check_answer(GATE "--keep-equal --metric instructions -o @/counts --write "
+                      "github-action-benchmark=@/counts.json --write "
+                      "bencher=@/counts-b.json --write go=@/counts.txt",
+                 0, "2 pass");
+    json_t *list = read_json("counts.json"), *bencher = read_json("counts-b.json");
+    assert_int_equal(json_array_size(list), 2);
+    assert_int_equal(json_object_size(bencher), 4);
+    json_decref(list);
+    json_decref(bencher);
+    struct sb_csv csv;
+    char line[128], *go = read_file("counts.txt");
+    read_csv("counts/gate.csv", &csv);
+    snprintf(line, sizeof line, "/point=1/side=head-1\t1\t%s Ir/op\n",
+             csv_cell(&csv, 1, "head_instructions"));
+    check_contains(go, line);
+    sb_csv_free(&csv);
+    free(go);
+}
+
 static void the_last_of_several_processes_writes_the_samples_of_all(void **state)
 {
     (void)state;
@@ -216,6 +254,8 @@ int main(void)
         cmocka_unit_test(a_wrong_word_is_one_line_before_anything_is_measured),
         cmocka_unit_test(a_file_that_cannot_be_written_loses_nothing),
         cmocka_unit_test(a_complete_folder_is_written_without_measuring),
+        cmocka_unit_test(a_gate_of_equal_shaders_is_a_ratio_of_1),
+        cmocka_unit_test(a_gate_that_counts_has_ratios_and_counts),
         cmocka_unit_test(the_last_of_several_processes_writes_the_samples_of_all),
         cmocka_unit_test(an_interrupted_run_is_written_too),
     };

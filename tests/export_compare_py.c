@@ -135,7 +135,7 @@ static void aggregates_alone_and_errors_are_read_too(void **state)
     run_shell(&answer, COMPARE "benchmarks @/few.json @/few.json 2>&1");
     if (answer.code != 0)
         fail_msg("%d: %s", answer.code, answer.text);
-    line_of(answer.text, "room/point=8,stage=fragment_cv");
+    line_of(answer.text, "room/point=8,stage=fragment_mean");
     run_shell(&answer, COMPARE "benchmarks @/all.json @/all.json 2>&1");
     if (answer.code != 0)
         fail_msg("%d: %s", answer.code, answer.text);

@@ -128,14 +128,31 @@ static void what_has_no_time_says_why_and_has_times_for_readers_that_want_some(
     json_decref(json);
 }
 
-static void aggregates_alone_leave_out_samples_and_what_has_no_time(void **state)
+static void what_was_counted_is_skipped_and_says_so(void **state)
+{
+    (void)state;
+    json_t *json = written_json("gbench-json", &untimed_export);
+    assert_int_equal(json_array_size(json_object_get(json, "benchmarks")), 2);
+    const json_t *head = entry(json, "head/room/point=8", 0);
+    assert_true(json_is_true(json_object_get(head, "skipped")));
+    check_string(head, "skip_message",
+                 "pass; no time, but instructions a frame: 1050000, "
+                 "ratio: 1.05 [1.04, 1.06]");
+    json_decref(json);
+}
+
+// Readers take each entry for a time of which less is better, which no spread is.
+static void aggregates_alone_are_levels_of_what_has_a_time(void **state)
 {
     (void)state;
     json_t *json = written_json("gbench-json-aggregates", &run_export);
     const json_t *list = json_object_get(json, "benchmarks"), *it;
     size_t i;
-    assert_int_equal(json_array_size(list), 4 + 1);
+    assert_int_equal(json_array_size(list), 2 + 1);
     json_array_foreach(list, i, it) check_string(it, "run_type", "aggregate");
+    check_string(list, "0.aggregate_name", "mean");
+    check_string(list, "1.aggregate_name", "median");
+    check_string(list, "2.aggregate_name", "median");
     json_decref(json);
 }
 
@@ -159,7 +176,8 @@ int main(void)
         cmocka_unit_test(a_row_without_samples_has_one_entry_and_its_status_is_a_label),
         cmocka_unit_test(
             what_has_no_time_says_why_and_has_times_for_readers_that_want_some),
-        cmocka_unit_test(aggregates_alone_leave_out_samples_and_what_has_no_time),
+        cmocka_unit_test(what_was_counted_is_skipped_and_says_so),
+        cmocka_unit_test(aggregates_alone_are_levels_of_what_has_a_time),
         cmocka_unit_test(the_sides_of_a_pair_are_told_apart_by_name),
     };
     return run_tests(tests);

@@ -136,6 +136,24 @@ static void the_sides_of_a_pair_are_a_key(void **state)
     assert_string_equal(document.result[1].name, "Room/point=8/side=head-1");
 }
 
+static void instructions_have_a_unit_of_their_own(void **state)
+{
+    (void)state;
+    static struct document document;
+    write_and_parse(&document, &untimed_export);
+    assert_int_equal(document.results, 4);
+    for (int i = 0; i < 4; i++) {
+        const struct result *result = &document.result[i];
+        assert_string_equal(result->name, i < 2 ? "Room/point=8/side=base-1"
+                                                : "Room/point=8/side=head-1");
+        assert_int_equal(result->values, 1);
+        assert_string_equal(result->unit[0], "Ir/op");
+        check_close(result->value[0], two_counts[i % 2], 0);
+    }
+    assert_int_equal(document.unit_count, 3);
+    assert_string_equal(document.units[2], "Ir/op better=lower");
+}
+
 // A driver's name may hold anything; it stays one line.
 static void a_line_end_in_a_property_starts_no_line(void **state)
 {
@@ -158,6 +176,7 @@ int main(void)
         cmocka_unit_test(blanks_and_slashes_of_a_value_do_not_end_it),
         cmocka_unit_test(what_is_of_one_run_alone_is_no_configuration),
         cmocka_unit_test(the_sides_of_a_pair_are_a_key),
+        cmocka_unit_test(instructions_have_a_unit_of_their_own),
         cmocka_unit_test(a_line_end_in_a_property_starts_no_line),
     };
     return run_tests(tests);

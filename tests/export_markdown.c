@@ -21,6 +21,16 @@ static void what_did_not_pass_comes_first_and_the_rest_is_folded(void **state)
     free(text);
 }
 
+static void counts_stand_where_times_would(void **state)
+{
+    (void)state;
+    char *text = written("markdown", &untimed_export);
+    check_contains(text, "| room/point=8 | 1000001 instructions | 1050000 instructions | "
+                         "1.050 [1.040, 1.060] | pass |\n");
+    check_contains(text, "| room/point=1 |  |  |  | skipped |\n");
+    free(text);
+}
+
 static void no_text_breaks_the_table_or_marks_itself_up(void **state)
 {
     (void)state;
@@ -77,6 +87,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_did_not_pass_comes_first_and_the_rest_is_folded),
+        cmocka_unit_test(counts_stand_where_times_would),
         cmocka_unit_test(no_text_breaks_the_table_or_marks_itself_up),
         cmocka_unit_test(where_nothing_passed_nothing_is_folded),
         cmocka_unit_test(nobody_is_called_and_nothing_linked),

@@ -107,6 +107,58 @@ static const struct sb_export pair_export = {
     .row_count = PAIR_ROWS,
 };
 
+// Of a gate that counts instructions, and of one whose sides are the same program.
+static const double two_counts[] = {1000000, 1000002};
+static const struct sb_export_counter counts[] = {{"instructions", 1000001},
+                                                  {"instructions", 1050000}};
+enum { COUNTED_BASE, COUNTED_HEAD, SAME_BASE, SAME_HEAD, UNTIMED_ROWS };
+static const struct sb_export_row untimed_rows[UNTIMED_ROWS] = {
+    [COUNTED_BASE] = {.scene = "room",
+                      .variant = "point=8",
+                      .side = "base",
+                      .frame_ns = NONE,
+                      .cpu_ns = NAN,
+                      .ratio = NONE,
+                      .batch = 1,
+                      .sample_instructions = two_counts,
+                      .sample_count = 2,
+                      .counter = &counts[0],
+                      .counter_count = 1},
+    [COUNTED_HEAD] = {.scene = "room",
+                      .variant = "point=8",
+                      .side = "head",
+                      .status = "pass",
+                      .frame_ns = NONE,
+                      .cpu_ns = NAN,
+                      .ratio = {1.05, 1.04, 1.06, 2},
+                      .batch = 1,
+                      .sample_instructions = two_counts,
+                      .sample_count = 2,
+                      .counter = &counts[1],
+                      .counter_count = 1},
+    [SAME_BASE] = {.scene = "room",
+                   .variant = "point=1",
+                   .side = "base",
+                   .outcome = SB_EXPORT_SKIPPED,
+                   .frame_ns = NONE,
+                   .cpu_ns = NAN,
+                   .ratio = NONE},
+    [SAME_HEAD] = {.scene = "room",
+                   .variant = "point=1",
+                   .side = "head",
+                   .outcome = SB_EXPORT_SKIPPED,
+                   .status = "skipped",
+                   .frame_ns = NONE,
+                   .cpu_ns = NAN,
+                   .ratio = NONE,
+                   .equal = true},
+};
+static const struct sb_export untimed_export = {
+    .name = "shadebench gate",
+    .row = untimed_rows,
+    .row_count = UNTIMED_ROWS,
+};
+
 static inline const struct sb_export_format *format_of(const char *name)
 {
     struct sb_error err = {0};

@@ -52,6 +52,27 @@ static void the_action_gets_a_ratio_and_a_time_only_where_there_is_none(void **s
     json_decref(json);
 }
 
+// The action fails a job on an empty list.
+static void the_action_gets_ratios_of_what_was_not_timed(void **state)
+{
+    (void)state;
+    json_t *json = written_json("github-action-benchmark", &untimed_export);
+    check_action_shape(json);
+    assert_int_equal(json_array_size(json), 2);
+    check_string(json, "0.name", "head/room/point=8");
+    check_string(json, "0.unit", "ratio");
+    check_number(json, "0.value", 1.05);
+    check_string(json, "0.extra",
+                 "instructions a frame: 1050000, ratio: 1.05 [1.04, 1.06]\n"
+                 "samples: 2 of 1 frames\npass");
+    check_string(json, "1.name", "head/room/point=1");
+    check_string(json, "1.unit", "ratio");
+    check_number(json, "1.value", 1);
+    check_absent(json, "1.range");
+    check_string(json, "1.extra", "base and head are the same program\nskipped");
+    json_decref(json);
+}
+
 // bencher.dev/bmf.json: objects of objects, of which each has a number `value`, and maybe two more.
 static void check_bmf(const json_t *json)
 {
@@ -103,6 +124,23 @@ static void bencher_gets_latency_with_its_interval_and_more_measures(void **stat
     json_decref(json);
 }
 
+static void bencher_gets_counts_and_their_ratio_without_a_latency(void **state)
+{
+    (void)state;
+    json_t *json = written_json("bencher", &untimed_export);
+    check_bmf(json);
+    assert_int_equal(json_object_size(json), 2);
+    const json_t *head = json_object_get(json, "head/room/point=8");
+    assert_int_equal(json_object_size(head), 2);
+    check_number(head, "ratio.value", 1.05);
+    check_number(head, "ratio.upper_value", 1.06);
+    check_number(head, "instructions.value", 1050000);
+    const json_t *base = json_object_get(json, "base/room/point=8");
+    assert_int_equal(json_object_size(base), 1);
+    check_number(base, "instructions.value", 1000001);
+    json_decref(json);
+}
+
 static void names_that_are_too_long_for_bencher_are_cut_and_still_differ(void **state)
 {
     (void)state;
@@ -126,6 +164,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_action_gets_a_ratio_and_a_time_only_where_there_is_none),
+        cmocka_unit_test(the_action_gets_ratios_of_what_was_not_timed),
+        cmocka_unit_test(bencher_gets_counts_and_their_ratio_without_a_latency),
         cmocka_unit_test(bencher_gets_latency_with_its_interval_and_more_measures),
         cmocka_unit_test(names_that_are_too_long_for_bencher_are_cut_and_still_differ),
     };

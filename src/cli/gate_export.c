@@ -80,41 +80,66 @@ static struct sb_interval interval_of(const double *value, int count,
     return sb_median_interval(sorted, count, 0.95);
 }
 
+// Not measured because there is nothing to measure: what is for accuracy only is skipped, too.
+static bool is_equal(const struct sb_gate_row *row)
+{
+    return row->verdict && sb_gate_verdict_find(row->verdict) == SB_GATE_SKIPPED &&
+           row->base_source && row->head_source &&
+           strcmp(row->base_source, row->head_source) == 0;
+}
+
+static void fill_samples(const struct sb_gate_shown *shown, int i, enum sb_side side,
+                         struct sb_arena *arena, struct sb_export_row *to)
+{
+    const struct sb_gate_row *row = &shown->result->row[i];
+    const enum sb_metric metric = shown->result->metric;
+    const int count = row->pairs == SB_NO_COUNT ? 0 : (int)row->pairs;
+    if (count == 0)
+        return;
+    const double *sample =
+        per_frame(sb_gate_values(shown->result, i, side), count, (int)row->batch, arena);
+    to->batch = (int)row->batch;
+    to->sample_count = count;
+    if (metric == SB_METRIC_INSTRUCTIONS) {
+        struct sb_export_counter *counter = sb_arena_alloc(arena, sizeof *counter);
+        *counter = (struct sb_export_counter){"instructions",
+                                              side == SB_BASE ? row->base_instructions
+                                                              : row->head_instructions};
+        to->counter = counter;
+        to->counter_count = 1;
+        to->sample_instructions = sample;
+        return;
+    }
+    to->sample_ns = sample;
+    to->frame_ns = interval_of(sample, count, arena);
+    if (metric == SB_METRIC_CPU) {
+        to->cpu_ns = to->frame_ns.point;
+        to->sample_cpu_ns = sample;
+    }
+}
+
 static void fill_side(const struct sb_gate_shown *shown, int i, enum sb_side side,
                       struct sb_arena *arena, struct sb_export_row *to)
 {
     const struct sb_gate_row *row = &shown->result->row[i];
-    const struct sb_interval none = {.point = NAN, .lo = NAN, .hi = NAN};
-    const int count = row->pairs == SB_NO_COUNT ? 0 : (int)row->pairs;
-    *to = (struct sb_export_row){
-        .scene = row->scene,
-        .variant = row->variant,
-        .side = sb_side_names[side],
-        .status = row->verdict ? row->verdict : row->status,
-        .outcome = outcome_of(row),
-        .frame_ns = none,
-        .cpu_ns = NAN,
-        .ratio = none,
-        .batch = count ? (int)row->batch : 0,
-    };
+    *to = sb_export_row_unknown;
+    to->scene = row->scene;
+    to->variant = row->variant;
+    to->side = sb_side_names[side];
+    to->status = row->verdict ? row->verdict : row->status;
+    to->outcome = outcome_of(row);
     if (strcmp(row->status, "ok") != 0)
         to->status = row->status;
     else if (is_biased(row))
         to->status = sb_status_rows[SB_SAMPLES_INVALID].word;
-    if (count > 0 && shown->result->metric != SB_METRIC_INSTRUCTIONS) {
-        to->sample_ns = per_frame(sb_gate_values(shown->result, i, side), count,
-                                  (int)row->batch, arena);
-        to->sample_count = count;
-        to->frame_ns = interval_of(to->sample_ns, count, arena);
-        if (shown->result->metric == SB_METRIC_CPU) {
-            to->cpu_ns = to->frame_ns.point;
-            to->sample_cpu_ns = to->sample_ns;
-        }
-    }
+    fill_samples(shown, i, side, arena, to);
     if (side == SB_BASE)
         return;
-    to->ratio = (struct sb_interval){
-        .point = row->ratio, .lo = row->ratio_lo, .hi = row->ratio_hi, .n = count};
+    to->equal = is_equal(row);
+    to->ratio = (struct sb_interval){.point = row->ratio,
+                                     .lo = row->ratio_lo,
+                                     .hi = row->ratio_hi,
+                                     .n = to->sample_count};
     to->message = row->note || !is_biased(row)
                       ? row->note
                       : "two equal programs read as different by more than half the "
@@ -126,18 +151,13 @@ static void fill_side(const struct sb_gate_shown *shown, int i, enum sb_side sid
 // holds are in cases.csv.
 static void fill_lost(const struct sb_gate_lost_case *lost, struct sb_export_row *to)
 {
-    const struct sb_interval none = {.point = NAN, .lo = NAN, .hi = NAN};
-    *to = (struct sb_export_row){
-        .scene = "hard cases",
-        .variant = lost->cell,
-        .side = sb_side_names[SB_HEAD],
-        .outcome = SB_EXPORT_FAILED,
-        .status = "fail",
-        .message = lost->says,
-        .frame_ns = none,
-        .cpu_ns = NAN,
-        .ratio = none,
-    };
+    *to = sb_export_row_unknown;
+    to->scene = "hard cases";
+    to->variant = lost->cell;
+    to->side = sb_side_names[SB_HEAD];
+    to->outcome = SB_EXPORT_FAILED;
+    to->status = "fail";
+    to->message = lost->says;
 }
 
 static const char *number(struct sb_arena *arena, double value)

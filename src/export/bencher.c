@@ -1,5 +1,5 @@
 // Bencher Metric Format: {"benchmark": {"measure": {"value", "lower_value", "upper_value"}}}.
-// `latency` is a measure that every project has, in ns.
+// `latency` is a measure that every project has, in ns. Rows whose instructions were counted have none.
 #include <math.h>
 
 #include "base/hash.h"
@@ -48,11 +48,14 @@ void sb_export_bencher(const struct sb_export *export, struct sb_text *text)
         const struct sb_export_row *row = &export->row[i];
         const struct sb_interval cpu = {row->cpu_ns, NAN, NAN, 0};
         struct sb_text name = {0};
-        if (!sb_export_timed(row))
+        const bool timed = sb_export_timed(row);
+        if (!timed && !sb_export_has_ratio(row) && !isfinite(sb_export_instructions(row)))
             continue;
         json_t *measures = json_object();
-        set_measure(measures, "latency", &row->frame_ns);
-        set_measure(measures, "cpu-time", &cpu);
+        if (timed) {
+            set_measure(measures, "latency", &row->frame_ns);
+            set_measure(measures, "cpu-time", &cpu);
+        }
         set_measure(measures, "ratio", &row->ratio);
         for (int c = 0; c < row->counter_count; c++)
             set_counter(measures, &row->counter[c]);

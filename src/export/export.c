@@ -55,10 +55,28 @@ bool sb_export_is_base(const struct sb_export_row *row)
     return row->side && strcmp(row->side, "base") == 0;
 }
 
+// Of a base nothing is judged, and its outcome is that of the pair.
+static bool is_valid(const struct sb_export_row *row)
+{
+    return sb_export_is_base(row) || row->outcome != SB_EXPORT_ERROR;
+}
+
 bool sb_export_timed(const struct sb_export_row *row)
 {
-    return (sb_export_is_base(row) || row->outcome != SB_EXPORT_ERROR) &&
-           isfinite(row->frame_ns.point);
+    return is_valid(row) && isfinite(row->frame_ns.point);
+}
+
+double sb_export_instructions(const struct sb_export_row *row)
+{
+    for (int i = 0; is_valid(row) && i < row->counter_count; i++)
+        if (strcmp(row->counter[i].name, "instructions") == 0)
+            return row->counter[i].value;
+    return NAN;
+}
+
+bool sb_export_has_ratio(const struct sb_export_row *row)
+{
+    return !sb_export_is_base(row) && is_valid(row) && isfinite(row->ratio.point);
 }
 
 const struct sb_export_row *sb_export_base_of(const struct sb_export *export,
@@ -66,7 +84,8 @@ const struct sb_export_row *sb_export_base_of(const struct sb_export *export,
 {
     for (int i = 0; row->side && i < export->row_count; i++) {
         const struct sb_export_row *other = &export->row[i];
-        if (other != row && sb_export_is_base(other) && sb_export_timed(other) &&
+        if (other != row && sb_export_is_base(other) &&
+            (sb_export_timed(other) || isfinite(sb_export_instructions(other))) &&
             strcmp(other->scene, row->scene) == 0 &&
             strcmp(other->variant, row->variant) == 0)
             return other;
@@ -98,12 +117,17 @@ static void add_interval(struct sb_text *text, const char *format, double scale,
 
 void sb_export_times(const struct sb_export_row *row, struct sb_text *text)
 {
+    const double instructions = sb_export_instructions(row);
+    const size_t before = text->length;
     if (isfinite(row->frame_ns.point)) {
         sb_text_add(text, "ms a frame: ");
         add_interval(text, "%.4g", 1e-6, &row->frame_ns);
     }
+    if (isfinite(instructions))
+        sb_text_printf(text, "%sinstructions a frame: %.0f",
+                       text->length > before ? ", " : "", instructions);
     if (isfinite(row->ratio.point)) {
-        sb_text_add(text, isfinite(row->frame_ns.point) ? ", ratio: " : "ratio: ");
+        sb_text_add(text, text->length > before ? ", ratio: " : "ratio: ");
         add_interval(text, "%.4g", 1, &row->ratio);
     }
 }

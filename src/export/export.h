@@ -36,7 +36,11 @@ struct sb_export_row {
     int batch;                   // frames a sample; 0: not known
     // A frame, one a valid sample, in the order of measuring. cpu: NULL, or NANs among them.
     const double *sample_ns, *sample_cpu_ns;
+    // Where instructions were counted and nothing was timed: the same of them, and their level is
+    // the counter `instructions`. NULL: not counted.
+    const double *sample_instructions;
     int sample_count;
+    bool equal; // of a head: base is the same program, so nothing was measured
     const struct sb_export_counter *counter;
     int counter_count;
 };

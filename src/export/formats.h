@@ -22,14 +22,20 @@ bool sb_export_is_base(const struct sb_export_row *row);
 // Has it a time to believe?
 bool sb_export_timed(const struct sb_export_row *row);
 
-// The other side of a head; NULL: there is none, or it has no time.
+// Instructions a frame, to be believed as a time is; NAN: not counted.
+double sb_export_instructions(const struct sb_export_row *row);
+
+// Has it a ratio to believe? It may, without a time: of instructions.
+bool sb_export_has_ratio(const struct sb_export_row *row);
+
+// The other side of a head; NULL: there is none, or nothing is known of it.
 const struct sb_export_row *sb_export_base_of(const struct sb_export *export,
                                               const struct sb_export_row *row);
 
 // "regression: slower by more than 2 %", or what there is of it.
 void sb_export_says(const struct sb_export_row *row, struct sb_text *text);
 
-// "1.234 ms a frame [1.230, 1.240], ratio 1.05 [1.04, 1.06]"; nothing of what is not known.
+// "ms a frame: 1.234 [1.230, 1.240], ratio: 1.05 [1.04, 1.06]"; nothing of what is not known.
 void sb_export_times(const struct sb_export_row *row, struct sb_text *text);
 
 // Half the wider side of an interval over its point, as "1.2"; false where it has no bounds.

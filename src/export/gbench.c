@@ -61,7 +61,7 @@ static struct moments moments_of(const double *values, int n)
 }
 
 static void add_aggregates(struct sb_gbench_entries *entries,
-                           const struct sb_gbench_entry *like)
+                           const struct sb_gbench_entry *like, bool spread)
 {
     const struct sb_export_row *row = like->row;
     const int n = row->sample_count;
@@ -70,16 +70,17 @@ static void add_aggregates(struct sb_gbench_entries *entries,
     const struct {
         const char *name;
         double real, cpu;
+        bool level;
     } aggregates[] = {
-        {"mean", real.mean, cpu.mean},
+        {"mean", real.mean, cpu.mean, true},
         // The row's own level: of several processes it is not the median of all samples.
-        {"median", row->frame_ns.point, known(row->cpu_ns)},
-        {"stddev", real.deviation, cpu.deviation},
-        {"cv", known(real.deviation / real.mean), known(cpu.deviation / cpu.mean)},
+        {"median", row->frame_ns.point, known(row->cpu_ns), true},
+        {"stddev", real.deviation, cpu.deviation, false},
+        {"cv", known(real.deviation / real.mean), known(cpu.deviation / cpu.mean), false},
     };
     for (size_t i = 0; i < sizeof aggregates / sizeof *aggregates; i++) {
         const bool median = strcmp(aggregates[i].name, "median") == 0;
-        if (n < 2 && !median)
+        if ((n < 2 && !median) || (!aggregates[i].level && !spread))
             continue;
         struct sb_gbench_entry *entry = add(entries, like);
         entry->aggregate = aggregates[i].name;
@@ -103,7 +104,8 @@ void sb_gbench_entries_make(const struct sb_export *export, bool samples,
         if (sb_export_timed(row)) {
             if (samples)
                 add_samples(entries, &like);
-            add_aggregates(entries, &like);
+            // Who takes no samples takes each entry for a time that had better be small.
+            add_aggregates(entries, &like, samples);
         } else if (samples && !sb_export_is_base(row)) {
             like.failed = like.whole = true;
             like.repetitions = 1;
@@ -116,6 +118,16 @@ void sb_gbench_entries_free(struct sb_gbench_entries *entries)
 {
     free(entries->entry);
     *entries = (struct sb_gbench_entries){0};
+}
+
+void sb_gbench_why(const struct sb_gbench_entry *entry, struct sb_text *text)
+{
+    struct sb_text figures = {0};
+    sb_export_says(entry->row, text);
+    sb_export_times(entry->row, &figures);
+    if (figures.length && entry->row->outcome != SB_EXPORT_ERROR)
+        sb_text_printf(text, "%sno time, but %s", text->length ? "; " : "", figures.data);
+    sb_text_free(&figures);
 }
 
 void sb_gbench_name(const struct sb_gbench_entry *entry, struct sb_text *text)

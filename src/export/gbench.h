@@ -20,13 +20,16 @@ struct sb_gbench_entries {
 };
 
 // Of all rows in their order: an entry a sample, then what Google Benchmark calls aggregates. Without
-// the samples only those, and nothing of rows without a time.
+// the samples only those of them that are levels, and nothing of rows without a time.
 void sb_gbench_entries_make(const struct sb_export *export, bool samples,
                             struct sb_gbench_entries *entries);
 void sb_gbench_entries_free(struct sb_gbench_entries *entries);
 
 // "room/point=8_median".
 void sb_gbench_name(const struct sb_gbench_entry *entry, struct sb_text *text);
+
+// Why one that failed has no time: its status and message, and what was counted instead.
+void sb_gbench_why(const struct sb_gbench_entry *entry, struct sb_text *text);
 
 // What an entry has besides its times, for each a call: those of the row, its interval and ratio.
 void sb_gbench_counters(const struct sb_gbench_entry *entry,

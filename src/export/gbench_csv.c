@@ -65,7 +65,7 @@ static void add_times(const struct sb_gbench_entry *entry, struct sb_text *text)
 static void add_failure(const struct sb_gbench_entry *entry, struct sb_text *text)
 {
     struct sb_text says = {0};
-    sb_export_says(entry->row, &says);
+    sb_gbench_why(entry, &says);
     sb_text_printf(text, ",,,,,,,%s,",
                    entry->row->outcome == SB_EXPORT_ERROR ? "true" : "false");
     add_quoted(text, sb_text_get(&says));

@@ -63,7 +63,7 @@ static void set_failure(json_t *object, const struct sb_gbench_entry *entry)
 {
     const bool error = entry->row->outcome == SB_EXPORT_ERROR;
     struct sb_text text = {0};
-    sb_export_says(entry->row, &text);
+    sb_gbench_why(entry, &text);
     json_object_set_new(object, error ? "error_occurred" : "skipped", json_true());
     sb_export_json_text(object, error ? "error_message" : "skip_message",
                         sb_text_get(&text));

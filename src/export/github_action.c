@@ -1,6 +1,9 @@
 // github-action-benchmark's customSmallerIsBetter: a list of name, unit, value, range and extra.
 // It alerts where a value has grown by a share, so a ratio that was measured against something in
 // the same run serves it, and a time, which moves with the machine, only where there is none.
+//
+// What a gate has not measured because both sides are one program is a ratio of 1: most changes touch
+// no shader, and of an empty list the action says "No benchmark result was found" and fails the job.
 #include <math.h>
 
 #include "export/formats.h"
@@ -9,8 +12,12 @@ static void add_extra(const struct sb_export *export, const struct sb_export_row
                       json_t *object)
 {
     struct sb_text extra = {0};
-    sb_export_times(row, &extra);
-    sb_text_printf(&extra, "\nsamples: %d", row->sample_count);
+    if (row->equal) {
+        sb_text_add(&extra, "base and head are the same program");
+    } else {
+        sb_export_times(row, &extra);
+        sb_text_printf(&extra, "\nsamples: %d", row->sample_count);
+    }
     if (row->batch)
         sb_text_printf(&extra, " of %d frames", row->batch);
     if (row->status || row->message) {
@@ -28,12 +35,15 @@ static void add_extra(const struct sb_export *export, const struct sb_export_row
 void sb_export_github_action(const struct sb_export *export, struct sb_text *text)
 {
     json_t *list = json_array();
+    const struct sb_interval one = {1, NAN, NAN, 0};
     struct sb_text name = {0}, half = {0}, range = {0};
     for (int i = 0; i < export->row_count; i++) {
         const struct sb_export_row *row = &export->row[i];
-        const bool ratio = isfinite(row->ratio.point);
-        const struct sb_interval *value = ratio ? &row->ratio : &row->frame_ns;
-        if (!sb_export_timed(row) || sb_export_is_base(row))
+        const bool ratio = row->equal || sb_export_has_ratio(row);
+        const struct sb_interval *value = row->equal ? &one
+                                          : ratio    ? &row->ratio
+                                                     : &row->frame_ns;
+        if (sb_export_is_base(row) || (!ratio && !sb_export_timed(row)))
             continue;
         json_t *object = json_object();
         sb_text_clear(&name);

@@ -41,6 +41,11 @@ static void add_properties(const struct sb_export *export, struct sb_text *text)
         add_line(text, property->value);
     }
     sb_text_add(text, "Unit ns/op better=lower\nUnit cpu-ns/op better=lower\n");
+    for (int i = 0; i < export->row_count; i++)
+        if (isfinite(sb_export_instructions(&export->row[i]))) {
+            sb_text_add(text, "Unit Ir/op better=lower\n");
+            return;
+        }
 }
 
 // An id as the parts of a name: "/point=8/stage=fragment", which benchstat knows as keys. A slash
@@ -80,19 +85,33 @@ static void add_name(struct sb_text *text, const struct sb_export_row *row)
     sb_text_add(text, "-1");
 }
 
-static void add_result(struct sb_text *text, const struct sb_export_row *row, double ns,
-                       double cpu_ns)
+static void add_value(struct sb_text *text, double value, const char *unit)
+{
+    if (!isfinite(value))
+        return;
+    sb_text_add(text, "\t");
+    sb_export_number(text, value);
+    sb_text_printf(text, " %s", unit);
+}
+
+struct values { // NAN: not known
+    double ns, cpu_ns, instructions;
+};
+
+static void add_result(struct sb_text *text, const struct sb_export_row *row,
+                       const struct values *values)
 {
     add_name(text, row);
-    sb_text_printf(text, "\t%d\t", row->batch > 0 ? row->batch : 1);
-    sb_export_number(text, ns);
-    sb_text_add(text, " ns/op");
-    if (isfinite(cpu_ns)) {
-        sb_text_add(text, "\t");
-        sb_export_number(text, cpu_ns);
-        sb_text_add(text, " cpu-ns/op");
-    }
+    sb_text_printf(text, "\t%d", row->batch > 0 ? row->batch : 1);
+    add_value(text, values->ns, "ns/op");
+    add_value(text, values->cpu_ns, "cpu-ns/op");
+    add_value(text, values->instructions, "Ir/op"); // as callgrind calls them
     sb_text_add(text, "\n");
+}
+
+static double sample(const double *values, int i)
+{
+    return values ? values[i] : NAN;
 }
 
 void sb_export_go(const struct sb_export *export, struct sb_text *text)
@@ -100,12 +119,16 @@ void sb_export_go(const struct sb_export *export, struct sb_text *text)
     add_properties(export, text);
     for (int i = 0; i < export->row_count; i++) {
         const struct sb_export_row *row = &export->row[i];
-        if (!sb_export_timed(row))
+        const double instructions = sb_export_instructions(row);
+        if (!sb_export_timed(row) && !isfinite(instructions))
             continue;
         for (int s = 0; s < row->sample_count; s++)
-            add_result(text, row, row->sample_ns[s],
-                       row->sample_cpu_ns ? row->sample_cpu_ns[s] : NAN);
+            add_result(text, row,
+                       &(struct values){sample(row->sample_ns, s),
+                                        sample(row->sample_cpu_ns, s),
+                                        sample(row->sample_instructions, s)});
         if (row->sample_count == 0)
-            add_result(text, row, row->frame_ns.point, row->cpu_ns);
+            add_result(text, row,
+                       &(struct values){row->frame_ns.point, row->cpu_ns, instructions});
     }
 }

@@ -43,6 +43,16 @@ static void add_time(struct sb_text *text, const struct sb_interval *ns)
     }
 }
 
+// What a frame of it costs.
+static void add_cost(struct sb_text *text, const struct sb_export_row *row)
+{
+    const double instructions = sb_export_instructions(row);
+    if (sb_export_timed(row))
+        add_time(text, &row->frame_ns);
+    else if (isfinite(instructions))
+        sb_text_printf(text, "%.0f instructions", instructions);
+}
+
 static void add_ratio(struct sb_text *text, const struct sb_interval *ratio)
 {
     if (isfinite(ratio->point))
@@ -70,13 +80,12 @@ static void add_row(struct sb_text *text, const struct sb_export *export,
     if (has_pairs(export)) {
         const struct sb_export_row *base = sb_export_base_of(export, row);
         if (base)
-            add_time(text, &base->frame_ns);
+            add_cost(text, base);
         sb_text_add(text, " | ");
     }
-    if (sb_export_timed(row))
-        add_time(text, &row->frame_ns);
+    add_cost(text, row);
     sb_text_add(text, " | ");
-    if (sb_export_timed(row))
+    if (sb_export_has_ratio(row))
         add_ratio(text, &row->ratio);
     sb_text_add(text, " | ");
     sb_export_says(row, &says);
