@@ -47,12 +47,23 @@ static void much_text_is_no_deadlock(void **state)
     assert_int_equal(text.length, 50000 * 11);
 }
 
+// What this program does not want to die of, a pipeline in another does.
+static void a_closed_pipe_ends_a_child_although_it_is_ignored_here(void **state)
+{
+    (void)state;
+    signal(SIGPIPE, SIG_IGN);
+    run("kill -PIPE $$; exit 0", SB_STREAM_DROPPED, SB_STREAM_DROPPED);
+    signal(SIGPIPE, SIG_DFL);
+    assert_int_equal(err.status, SB_WORKER_CRASHED);
+}
+
 static void what_cannot_start_and_what_is_killed_have_a_reason(void **state)
 {
     (void)state;
     const char *const nowhere[] = {"no-such-program-here", NULL};
     int exit_code = 5;
-    assert_false(sb_process_run(&(struct sb_process_params){nowhere}, &exit_code, &err));
+    assert_false(
+        sb_process_run(&(struct sb_process_params){.words = nowhere}, &exit_code, &err));
     assert_int_equal(err.status, SB_USAGE);
     assert_string_equal(err.text, "no-such-program-here: No such file or directory");
     assert_int_equal(exit_code, 5);
@@ -106,6 +117,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_exit_code_and_what_it_said_come_back),
         cmocka_unit_test(much_text_is_no_deadlock),
+        cmocka_unit_test(a_closed_pipe_ends_a_child_although_it_is_ignored_here),
         cmocka_unit_test(what_cannot_start_and_what_is_killed_have_a_reason),
         cmocka_unit_test(no_descriptor_of_the_pipe_is_left),
         cmocka_unit_test(settings_go_over_the_environment_of_this_process),

@@ -63,6 +63,7 @@ static void add_says_in_json_what_it_appended(void **state)
 {
     (void)state;
     json_t *json = run_json(ADD "--commit one --file @/json.csv --json", 0);
+    assert_true(json_is_true(json_object_get(json, "appended")));
     const json_t *rows = json_object_get(json, "rows"), *row = json_array_get(rows, 1);
     assert_int_equal(json_array_size(rows), 2);
     assert_int_equal(json_object_size(row), sb_history_column_count);
@@ -126,6 +127,10 @@ static void a_full_disk_is_no_success(void **state)
     check_shell("trap '' XFSZ; ulimit -f 1; exec $SB " ADD
                 "--commit two --file @/small.csv 2>&1",
                 3, "small.csv: File too large; the rows written before are whole");
+    // What was measured is shown all the same.
+    check_shell("trap '' XFSZ; ulimit -f 1; exec $SB " ADD
+                "--commit two --file @/small.csv 2>/dev/null",
+                3, "2 rows NOT appended to ");
     char *after = read_file("small.csv");
     assert_string_equal(after, before);
     free(before);

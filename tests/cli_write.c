@@ -146,14 +146,61 @@ static void a_file_that_cannot_be_written_loses_nothing(void **state)
 {
     (void)state;
     static struct answer answer;
-    run_program(&answer, RUN "-o @/kept --write junit=@/no/where --write go=@/kept.txt");
+    if (access("/dev/full", W_OK) != 0)
+        skip();
+    run_program(&answer, RUN "-o @/kept --write junit=/dev/full --write go=@/kept.txt");
     assert_int_equal(answer.code, 3);
-    check_contains(answer.text, "no/where: No such file");
+    check_contains(answer.text, "/dev/full: No space left");
     check_contains(answer.text, "median ms");
     assert_true(run_is_complete("kept/run.json"));
     char *go = read_file("kept.txt"); // the others are written
     check_contains(go, "Benchmark");
     free(go);
+}
+
+static void a_path_that_cannot_be_is_told_before_anything_is_measured(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *words, *part;
+    } wrong[] = {
+        {"-o @/never --write go=@/no/where.txt", "where.txt: there is no folder @/no"},
+        {"-o @/never --write go=@", "is a folder; give a file"},
+        {"-o @/never --write go=@/neverland/x", "there is no folder @/neverland"},
+        {"-o @/never --write junit=@/x --write go=no/x", "there is no folder no"},
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        static struct answer answer;
+        char line[256], part[128];
+        snprintf(line, sizeof line, RUN "%s", wrong[i].words);
+        expand(part, sizeof part, wrong[i].part);
+        run_program(&answer, line);
+        if (answer.code != 2 || count_lines(answer.text) != 1 ||
+            !strstr(answer.text, part))
+            fail_msg("%s: %d: %s", line, answer.code, answer.text);
+    }
+    check_shell("ls -d @/never 2>&1", 2, "No such file");
+    // The results folder is made by the run.
+    check_answer(RUN "-o @/made/ --write go=@/made/go.txt --write go=/dev/null", 0, "");
+    free(read_file("made/go.txt"));
+}
+
+// Whoever reads the table may leave before it is there.
+static void a_reader_that_leaves_costs_no_file(void **state)
+{
+    (void)state;
+    write_file("page", "before\n");
+    write_file("checked.yaml", "suite: checked\nsweep: {point: [1, 2]}\n"
+                               "expect: [{nonfinite: 0}]\n");
+    check_shell("{ GITHUB_STEP_SUMMARY=@/page $SB run @/checked.yaml --context null -q "
+                "--rounds 20 --first-look 10 --check -o @/left --write go=@/left.txt "
+                "2>@/said; echo $? >@/code; } | true; cat @/code @/said",
+                0, "3\nshadebench: stdout cannot be written");
+    char *go = read_file("left.txt"), *page = read_file("page");
+    check_contains(go, "BenchmarkContainers/");
+    check_contains(page, "before\n### shadebench run checked");
+    free(go);
+    free(page);
 }
 
 static void a_complete_folder_is_written_without_measuring(void **state)
@@ -253,6 +300,8 @@ int main(void)
         cmocka_unit_test(a_dash_is_standard_output_instead_of_the_table),
         cmocka_unit_test(a_wrong_word_is_one_line_before_anything_is_measured),
         cmocka_unit_test(a_file_that_cannot_be_written_loses_nothing),
+        cmocka_unit_test(a_path_that_cannot_be_is_told_before_anything_is_measured),
+        cmocka_unit_test(a_reader_that_leaves_costs_no_file),
         cmocka_unit_test(a_complete_folder_is_written_without_measuring),
         cmocka_unit_test(a_gate_of_equal_shaders_is_a_ratio_of_1),
         cmocka_unit_test(a_gate_that_counts_has_ratios_and_counts),

@@ -400,6 +400,11 @@ static void a_command_that_is_no_worker_is_told(void **state)
     assert_null(fns->open(&params, &caps, &err));
     assert_int_equal(err.status, SB_WORKER_GARBAGE);
     check_contains(err.text, "Welcome to this");
+    signal(SIGPIPE, SIG_IGN); // as the program has it; a command has it as usual
+    params.worker = "kill -PIPE $$; echo survived";
+    assert_null(fns->open(&params, &caps, &err));
+    signal(SIGPIPE, SIG_DFL);
+    assert_int_equal(err.status, SB_WORKER_CRASHED);
     params.worker = "cat";
     assert_null(fns->open(&params, &caps, &err));
     assert_int_equal(err.status, SB_WORKER_GARBAGE);

@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <spawn.h>
 #include <stdio.h>
 #include <string.h>
@@ -26,14 +27,22 @@ static bool start(const struct sb_process_params *params, const int ends[2], pid
 {
     struct sb_arena arena = {0};
     posix_spawn_file_actions_t actions;
+    posix_spawnattr_t attributes;
+    sigset_t pipe_signal;
     posix_spawn_file_actions_init(&actions);
+    posix_spawnattr_init(&attributes);
+    sigemptyset(&pipe_signal);
+    sigaddset(&pipe_signal, SIGPIPE); // ignored here (cli/main.c); programs expect it
+    posix_spawnattr_setsigdefault(&attributes, &pipe_signal);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
     route(&actions, params->output, STDOUT_FILENO, ends[1]);
     route(&actions, params->errors, STDERR_FILENO, ends[1]);
     char **environment =
         sb_environment_with(params->environment, params->environment_count, &arena);
     fflush(NULL); // what was said before it comes before what it says
-    const int cause = posix_spawnp(child, params->words[0], &actions, NULL,
+    const int cause = posix_spawnp(child, params->words[0], &actions, &attributes,
                                    (char *const *)params->words, environment);
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     sb_arena_free(&arena);
     return cause == 0 ||

@@ -144,7 +144,7 @@ static bool prepare(struct adding *adding, struct sb_history_measure_params *par
 
 // --- what is told ----------------------------------------------------------------------------
 
-static void print(const struct adding *adding)
+static void print(const struct adding *adding, bool appended)
 {
     const struct sb_history_measured *measured = &adding->measured;
     struct sb_table *table = sb_table_new();
@@ -178,11 +178,11 @@ static void print(const struct adding *adding)
     }
     sb_table_print(table);
     sb_table_free(&table);
-    printf("\n%.1f s; %d rows appended to %s\n", measured->seconds, measured->row_count,
-           adding->file);
+    printf("\n%.1f s; %d rows %s to %s\n", measured->seconds, measured->row_count,
+           appended ? "appended" : "NOT appended", adding->file);
 }
 
-static void print_json(const struct adding *adding)
+static void print_json(const struct adding *adding, bool appended)
 {
     json_t *rows = json_array();
     for (int i = 0; i < adding->measured.row_count; i++) {
@@ -193,8 +193,8 @@ static void print_json(const struct adding *adding)
                 sb_report_cell_json(&adding->measured.row[i], &sb_history_columns[c]));
         json_array_append_new(rows, row);
     }
-    sb_cli_print_json(json_pack("{sssfso}", "file", adding->file, "seconds",
-                                adding->measured.seconds, "rows", rows));
+    sb_cli_print_json(json_pack("{sssbsfso}", "file", adding->file, "appended", appended,
+                                "seconds", adding->measured.seconds, "rows", rows));
 }
 
 // --- add -------------------------------------------------------------------------------------
@@ -216,14 +216,17 @@ static int add(const struct sb_options *options)
     struct adding adding = {.options = options,
                             .file = options->file ? options->file : SB_HISTORY_FILE};
     sb_interrupt_install();
-    const bool good = prepare(&adding, &params, &err) &&
-                      sb_history_measure(&params, &adding.measured, &err) &&
-                      append(&adding, &err);
-    if (good && options->json)
-        print_json(&adding);
-    else if (good)
-        print(&adding);
-    const int code = good ? adding.measured.exit_code : sb_cli_fail(&err);
+    const bool measured = prepare(&adding, &params, &err) &&
+                          sb_history_measure(&params, &adding.measured, &err);
+    const bool appended = measured && append(&adding, &err);
+    int code = measured ? adding.measured.exit_code : 0;
+    // Minutes of measuring are shown, also where the disk is full by now.
+    if (measured && options->json)
+        print_json(&adding, appended);
+    else if (measured)
+        print(&adding, appended);
+    if (!appended)
+        code = sb_exit_code_worse(code, sb_cli_fail(&err));
     sb_history_measured_free(&adding.measured);
     sb_anchor_free(&adding.anchor);
     sb_suite_free(&adding.suite);

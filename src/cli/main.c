@@ -1,5 +1,6 @@
 // shadebench: the command line. One file a subcommand; this one picks it.
 #include <fcntl.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -122,6 +123,7 @@ static int bisect_code(int argc, char **argv, int code)
 int main(int argc, char **argv)
 {
     claim_descriptors();
+    signal(SIGPIPE, SIG_IGN); // a reader that leaves, as head does, ends no measurement
     const int code = bisect_code(argc, argv, run_word(argc, argv));
     // A closed stdout, or a full disk behind it, is no success.
     const bool printed = fflush(stdout) == 0 && !ferror(stdout);

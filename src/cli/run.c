@@ -260,17 +260,19 @@ static int write_outputs(const struct sb_options *options, const struct sb_suite
     return code;
 }
 
-// What was measured, once the last process is done; the exit code.
+// What was measured, once the last process is done; the exit code. Files come first: whoever reads
+// the table may leave in the midst of it.
 static int show_results(const struct sb_options *options, const struct sb_suite *suite,
                         const struct sb_run_result *result,
                         const struct sb_expected *expected, const char *dir, bool written,
                         struct sb_arena *arena)
 {
+    const int code = write_outputs(options, suite, result, expected, dir, written, arena);
     if (!sb_outputs_take_stdout(&options->write))
         print_results(options, suite, result, expected, dir, written);
     else if (result->interrupted)
         sb_info("interrupted; go on with: shadebench run --resume %s", dir);
-    return write_outputs(options, suite, result, expected, dir, written, arena);
+    return code;
 }
 
 // One run a platform, and what is asked of all of them together.
@@ -293,18 +295,18 @@ static int run_platforms(const struct sb_options *options, const struct sb_suite
     const bool judged = options->check && !result.interrupted && rows.count > 0;
     if (judged) {
         sb_expect_check(expected, result.row, result.row_count);
-        if (!run.quiet_output)
-            sb_cli_expect_print(expected);
         code = sb_exit_code_worse(code, sb_cli_expect_code(options, expected));
     }
+    if (rows.count > 0) // before all that is printed, as show_results
+        code = sb_exit_code_worse(code, write_outputs(options, suite, &result,
+                                                      judged ? expected : NULL, NULL,
+                                                      true, arena));
+    if (judged && !run.quiet_output)
+        sb_cli_expect_print(expected);
     if (options->json)
         print_results(options, suite, &result, judged ? expected : NULL, dir, true);
     else if (!run.quiet_output && rows.count > 0)
         printf("\nresults of all platforms: %s/summary.csv\n", dir);
-    if (rows.count > 0)
-        code = sb_exit_code_worse(code, write_outputs(options, suite, &result,
-                                                      judged ? expected : NULL, NULL,
-                                                      true, arena));
     sb_platforms_rows_free(&rows);
     return code;
 }

@@ -1,7 +1,10 @@
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include "base/file.h"
 #include "base/log.h"
 #include "base/words.h"
 #include "cli/common.h"
@@ -53,13 +56,57 @@ bool sb_outputs_take_stdout(const struct sb_outputs *outputs)
     return false;
 }
 
+// The results folder, and what is in it, may be made by the command itself.
+static bool is_within(const char *folder, const char *parent)
+{
+    size_t length = parent ? strlen(parent) : 0;
+    while (length > 1 && parent[length - 1] == '/')
+        length--;
+    return length && strncmp(folder, parent, length) == 0 &&
+           (folder[length] == '/' || folder[length] == '\0');
+}
+
+// Whether FILE can be written, as far as that can be known before there is anything to write.
+static bool check_place(const struct sb_output *output, const char *results,
+                        struct sb_error *err)
+{
+    struct stat info;
+    struct sb_arena arena = {0};
+    const char *slash = strrchr(output->path, '/');
+    const char *folder =
+        !slash ? "."
+        : slash == output->path
+            ? "/"
+            : sb_arena_printf(&arena, "%.*s", (int)(slash - output->path), output->path);
+    const bool there = stat(output->path, &info) == 0;
+    bool good = true;
+    if (there && S_ISDIR(info.st_mode))
+        good =
+            sb_fail(err, SB_USAGE, "--write %s: is a folder; give a file", output->word);
+    else if (there && !S_ISREG(info.st_mode)) // written into, not replaced
+        good = access(output->path, W_OK) == 0 ||
+               sb_fail(err, SB_USAGE, "--write %s: %s", output->word, strerror(errno));
+    else if (!is_within(folder, results) && !sb_dir_exists(folder))
+        good = sb_fail(err, SB_USAGE, "--write %s: there is no folder %s", output->word,
+                       folder);
+    else if (sb_dir_exists(folder) && access(folder, W_OK | X_OK) != 0)
+        good = sb_fail(err, SB_USAGE, "--write %s: nothing can be written in %s: %s",
+                       output->word, folder, strerror(errno));
+    sb_arena_free(&arena);
+    return good;
+}
+
 bool sb_outputs_check(const struct sb_options *options, struct sb_error *err)
 {
+    const char *results = options->output ? options->output : options->resume;
     const char *taken = options->json ? "--json" : NULL;
     for (int i = 0; i < options->write.count; i++) {
         const struct sb_output *output = &options->write.item[i];
-        if (!is_stdout(output))
+        if (!is_stdout(output)) {
+            if (!check_place(output, results, err))
+                return false;
             continue;
+        }
         if (taken)
             return sb_fail(err, SB_USAGE,
                            "--write %s: standard output is taken by %s; give a file",

@@ -10,7 +10,8 @@ bool sb_outputs_add(struct sb_outputs *outputs, const char *word, struct sb_erro
 // Is one of the files "-", standard output?
 bool sb_outputs_take_stdout(const struct sb_outputs *outputs);
 
-// SB_USAGE where two things are to go to standard output. Ask before anything is measured.
+// SB_USAGE where two things are to go to standard output, or the folder of a file is none or cannot
+// be written, so that no measurement is lost to a slip. Ask before anything is measured.
 bool sb_outputs_check(const struct sb_options *options, struct sb_error *err);
 
 // Writes them all, tells of each that could not be written, and returns the exit code.

@@ -23,6 +23,7 @@ static void become(const struct sb_child_params *params, int fd)
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, NULL);
+    signal(SIGPIPE, SIG_DFL); // ignored here (cli/main.c), it would be in every command
     sb_environment_apply(params->environment, params->environment_count);
     if (dup2(fd, 0) < 0 || dup2(fd, 1) < 0)
         _exit(126);
