@@ -9,7 +9,7 @@
 // clang-format off
 const struct sb_export_format sb_export_formats[] = {
     {"gbench-json", "Google Benchmark's JSON, an entry a sample: compare.py and its U test", sb_export_gbench_json},
-    {"gbench-json-aggregates", "the same without the samples: Bencher's cpp_google, github-action-benchmark's googlecpp", sb_export_gbench_aggregates},
+    {"gbench-json-aggregates", "its means and medians alone: Bencher's cpp_google, github-action-benchmark's googlecpp", sb_export_gbench_aggregates},
     {"gbench-csv", "Google Benchmark's CSV, a line a sample", sb_export_gbench_csv},
     {"github-action-benchmark", "its customSmallerIsBetter: a ratio a variant", sb_export_github_action},
     {"bencher", "Bencher Metric Format, JSON: bencher run --adapter json", sb_export_bencher},
