@@ -297,6 +297,7 @@ static void a_variant_whose_samples_are_lost_on_the_way_says_so(void **state)
     assert_string_equal(measured.row[0].status, "ok");
     assert_int_equal(measured.row[0].pairs, PAIRS);
     assert_true(measured.row[1].pairs < PAIRS);
+    assert_string_equal(measured.row[1].status, "samples_invalid");
 }
 
 static void threads_are_those_of_the_environment(void **state)
@@ -314,7 +315,7 @@ static unsigned lose_all_but_four(void *user, const struct sb_shot *asked, int64
     (void)count;
     static int seen;
     seen += asked->job == 4;
-    return asked->job == 4 && seen > 12 ? SB_SAMPLE_DISJOINT : 0;
+    return asked->job == 4 && seen > 12 ? SB_SAMPLE_LOST : 0;
 }
 
 // Few pairs have a ratio, and no interval: the file takes that.
