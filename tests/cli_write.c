@@ -250,8 +250,8 @@ static void a_gate_that_counts_has_ratios_and_counts(void **state)
     struct sb_csv csv;
     char line[128], *go = read_file("counts.txt");
     read_csv("counts/gate.csv", &csv);
-    snprintf(line, sizeof line, "/point=1/side=head-1\t1\t%s Ir/op\n",
-             csv_cell(&csv, 1, "head_instructions"));
+    snprintf(line, sizeof line, "/point=1/side=head-1\t1\t%.0f Ir/op\n",
+             atof(csv_cell(&csv, 1, "head_instructions")));
     check_contains(go, line);
     sb_csv_free(&csv);
     free(go);
