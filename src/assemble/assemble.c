@@ -280,6 +280,8 @@ static bool build_lit(const struct sb_assemble_params *params,
     building.version = decide(params, &calls->variant, err);
     if (!building.version)
         return false;
+    if (program == choice->program) // before its programs are built: that may fail
+        take_decisions(assembly, choice, &calls->variant);
     assembly->lit_per_vertex = calls->variant.value[SB_AXIS_STAGE] == SB_STAGE_VERTEX;
     assembly->lights_fixed = sb_lights_are_fixed(&calls->variant);
     building.defines.left_out =
@@ -388,7 +390,6 @@ static bool build_all(const struct sb_assemble_params *params,
     for (int i = 0; i < choice->program_count; i++)
         if (!build_lit(params, assembly, choice, &choice->program[i], &place[i], err))
             return false;
-    take_decisions(assembly, choice, &choice->program[0].calls.variant);
     assembly->undefined = sb_platform_undefined(&assembly->job.variant);
     if (!params->rows && !build_others(params, assembly, choice->whole, err))
         return false;

@@ -74,7 +74,7 @@ static const struct option options_table[] = {
     {"ablation", 0,   NULL,         COMPARE,          FLAG,       AT(ablation), "what each effect costs, and who would see it go, from a run --ablate"},
     {"tolerance",0,   "SHARE",      COMPARE,          TEXT,       AT(tolerance),"two runs: what is no change, as 2% or 0.02 [2%]"},
     {"force",    0,   NULL,         COMPARE,          FLAG,       AT(force),    "two runs: compare, and mark, rows of other conditions, too"},
-    {"check",    0,   NULL,         COMPARE,          FLAG,       AT(check),    "two runs: exit code 1 where a row is hurt, or its error or status became worse"},
+    {"check",    0,   NULL,         COMPARE,          FLAG,       AT(check),    "two runs: exit code 1 where a row is hurt or gone, or its error or status became worse"},
     {"ms",       0,   "N,…",        FIT,              TEXT,       AT(ms),       "frame times in which lights are to fit; default: powers of two among those measured"},
     {"programs", 0,   "K",          PLANNER,          TEXT,       AT(programs), "so many programs at most [8]"},
     {"demands",  0,   "FILE",       PLANNER,          TEXT,       AT(demands),  "CSV of demands: dir,point,spot,area,weight"},
