@@ -51,7 +51,7 @@ static const struct option options_table[] = {
     {"scene",    0,   "NAME",       PLAN,             TEXT,       AT(scene),    "the scene to draw (shadebench list scenes)"},
     {"preset",   0,   "NAME,…",     PLAN,             TEXT,       AT(preset),   "start from a preset, or from several side by side (shadebench list presets)"},
     {"output",   'o', "DIR",        RUN|VERIFY|GATE,  TEXT,       AT(output),   "results folder; default: shadebench-results/SUITE-DATE, gate-DATE or verify-DATE"},
-    {"resume",   0,   "DIR",        RUN,              TEXT,       AT(resume),   "go on with an interrupted run, or with its next process"},
+    {"resume",   0,   "DIR",        RUN,              TEXT,       AT(resume),   "go on with an interrupted run, or with its next process, on all its platforms"},
     {"images",   0,   NULL,         RUN,              FLAG,       AT(images),   "write a PNG of each variant, of its shadow maps, and a contact sheet"},
     {"payback",  0,   NULL,         RUN,              FLAG,       AT(payback),  "policies: draw, too, the frames after which each has paid for its programs"},
     {"ablate",   0,   NULL,         RUN,              FLAG,       AT(ablate),   "leave out each effect of each variant alone: what it costs, and who would see it go"},
@@ -288,6 +288,7 @@ bool sb_options_parse(const struct sb_command *command, int argc, char **argv,
         } else if (options->word_count == SB_WORDS_MAX) {
             return sb_fail(err, SB_USAGE, "more than %d words", SB_WORDS_MAX);
         } else {
+            options->word_at[options->word_count] = i;
             options->word[options->word_count++] = argv[i];
         }
     }
