@@ -357,6 +357,14 @@ static void runs_of_other_conditions_are_refused_with_the_reason(void **state)
               " \"3\",/' @/told/run.json");
     assert_int_equal(answer.code, 0);
     check_answer("compare @/told @/a", 2, ": LP_NUM_THREADS 3 | none");
+    // As do the machines that its processes were on.
+    run_shell(
+        &answer,
+        "cp -r @/b @/moved && $SB run --resume @/moved -q --processes 2 >/dev/null && "
+        "sed -i '0,/\"cpus\": /s//&10/' @/moved/run.json");
+    assert_int_equal(answer.code, 0);
+    check_answer("compare @/moved @/b", 2, "its processes differ in processors: 10");
+    check_answer("compare @/moved @/b", 2, ": processors 10");
     run_program(&answer, RUN
                 "-o @/other --scene sphere --sweep spot=1..2 --cross model=phong,blinn");
     assert_int_equal(answer.code, 0);
