@@ -52,7 +52,8 @@ static void what_cannot_start_and_what_is_killed_have_a_reason(void **state)
     (void)state;
     const char *const nowhere[] = {"no-such-program-here", NULL};
     int exit_code = 5;
-    assert_false(sb_process_run(&(struct sb_process_params){nowhere}, &exit_code, &err));
+    assert_false(
+        sb_process_run(&(struct sb_process_params){.words = nowhere}, &exit_code, &err));
     assert_int_equal(err.status, SB_USAGE);
     assert_string_equal(err.text, "no-such-program-here: No such file or directory");
     assert_int_equal(exit_code, 5);

@@ -29,11 +29,12 @@ static void check_reproduced(const struct gate *gate)
     struct sb_pair_row *pair = read_pairs(gate, &count, &csv);
     for (int i = 0; i < VARIANTS; i++) {
         static struct column column;
-        static double scratch[3 * 512];
+        static double scratch[4 * 512];
         const struct sb_gate_row *row = &gate->result.row[i];
         gather(pair, count, row->variant, false, &column);
-        struct sb_gate_reading reading = sb_gate_read(
-            &gate->result.rule, column.base, column.head, column.count, true, scratch);
+        struct sb_gate_reading reading =
+            sb_gate_read(&gate->result.rule, column.base, column.head, NULL, column.count,
+                         true, scratch);
         assert_int_equal(reading.n, row->pairs);
         check_close(reading.ratio.point, row->ratio, 0);
         check_close(reading.ratio.lo, row->ratio_lo, 0);
@@ -42,7 +43,7 @@ static void check_reproduced(const struct gate *gate)
         check_close(reading.mde, row->mde, 0);
         if (reading.verdict == SB_GATE_CANDIDATE) {
             gather(pair, count, row->variant, true, &column);
-            reading = sb_gate_confirm(&gate->result.rule, column.base, column.head,
+            reading = sb_gate_confirm(&gate->result.rule, column.base, column.head, NULL,
                                       column.count, true, scratch);
             check_close(reading.p_slower, row->confirm_p, 0);
             check_close(reading.ratio.point, row->confirm_ratio, 0);

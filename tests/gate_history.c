@@ -1,12 +1,14 @@
 // The anchor, and what a history measures against it, on the null runner.
 #include "test.h"
 
+#include <signal.h>
 #include <unistd.h>
 
 #include "base/file.h"
 #include "base/log.h"
 #include "gate/history.h"
 #include "job/null.h"
+#include "measure/interrupt.h"
 
 enum { PAIRS = 60, SHOTS = 4096 };
 
@@ -297,6 +299,7 @@ static void a_variant_whose_samples_are_lost_on_the_way_says_so(void **state)
     assert_string_equal(measured.row[0].status, "ok");
     assert_int_equal(measured.row[0].pairs, PAIRS);
     assert_true(measured.row[1].pairs < PAIRS);
+    assert_string_equal(measured.row[1].status, "samples_invalid");
 }
 
 static void threads_are_those_of_the_environment(void **state)
@@ -314,7 +317,7 @@ static unsigned lose_all_but_four(void *user, const struct sb_shot *asked, int64
     (void)count;
     static int seen;
     seen += asked->job == 4;
-    return asked->job == 4 && seen > 12 ? SB_SAMPLE_DISJOINT : 0;
+    return asked->job == 4 && seen > 12 ? SB_SAMPLE_LOST : 0;
 }
 
 // Few pairs have a ratio, and no interval: the file takes that.
@@ -327,6 +330,40 @@ static void four_pairs_are_a_ratio_without_an_interval(void **state)
     assert_string_equal(measured.row[1].status, "ok");
     check_close(measured.row[1].ratio, 2.5, 1e-3);
     assert_true(isnan(measured.row[1].ratio_lo));
+}
+
+static unsigned interrupt_in_the_second(void *user, const struct sb_shot *asked,
+                                        int64_t count)
+{
+    (void)user, (void)asked;
+    if (opened == 2 && count == 100)
+        raise(SIGINT);
+    return 0;
+}
+
+// The last two of all, since a signal is not forgotten.
+static void processes_that_were_done_before_a_signal_are_kept(void **state)
+{
+    (void)state;
+    sb_interrupt_install();
+    next_script.flags = interrupt_in_the_second;
+    measure(3);
+    assert_int_equal(measured.exit_code, 130);
+    assert_int_equal(opened, 2);
+    for (int i = 0; i < suite.entry_count; i++) {
+        assert_int_equal(measured.row[i].processes, 1);
+        assert_int_equal(measured.row[i].pairs, PAIRS);
+        check_close(measured.row[i].ratio, 2.5, 1e-3);
+    }
+}
+
+static void before_the_first_process_is_done_nothing_is_kept(void **state)
+{
+    (void)state;
+    assert_true(sb_interrupted());
+    assert_false(measure_from(NULL, 3));
+    assert_int_equal(err.status, SB_INTERRUPTED);
+    assert_int_equal(measured.row_count, 0);
 }
 
 int main(void)
@@ -345,6 +382,8 @@ int main(void)
         TEST(a_variant_whose_samples_are_lost_on_the_way_says_so),
         TEST(four_pairs_are_a_ratio_without_an_interval),
         TEST(threads_are_those_of_the_environment),
+        TEST(processes_that_were_done_before_a_signal_are_kept),
+        TEST(before_the_first_process_is_done_nothing_is_kept),
     };
 #undef TEST
     return run_tests(tests);

@@ -9,7 +9,7 @@
 #include "stats/signed_rank.h"
 
 enum { MOST = 400 };
-static double base[MOST], head[MOST], scratch[3 * MOST], d[MOST];
+static double base[MOST], head[MOST], scratch[4 * MOST], d[MOST];
 
 // Times that drift and differ by `factor` give or take 1 %. The seed is one of those whose
 // differences do not look dependent at 15 and 30 pairs, as about half do.
@@ -26,7 +26,7 @@ static struct sb_gate_reading read_scripted(double factor, int n, bool over)
 {
     const struct sb_gate_rule rule = sb_gate_rule_default(20);
     script(factor, n);
-    return sb_gate_read(&rule, base, head, n, over, scratch);
+    return sb_gate_read(&rule, base, head, NULL, n, over, scratch);
 }
 
 static void clear_cases_are_decided_at_the_first_look(void **state)
@@ -64,8 +64,10 @@ static void pairs_beyond_the_last_look_are_not_read(void **state)
     script(1.02, 400);
     for (int i = 240; i < 400; i++)
         head[i] = 9 * base[i];
-    const struct sb_gate_reading more = sb_gate_read(&rule, base, head, 400, 0, scratch);
-    const struct sb_gate_reading just = sb_gate_read(&rule, base, head, 240, 0, scratch);
+    const struct sb_gate_reading more =
+        sb_gate_read(&rule, base, head, NULL, 400, 0, scratch);
+    const struct sb_gate_reading just =
+        sb_gate_read(&rule, base, head, NULL, 240, 0, scratch);
     assert_int_equal(more.n, 240);
     assert_int_equal(more.verdict, just.verdict);
     check_close(more.p_slower, just.p_slower, 0);
@@ -89,6 +91,11 @@ static void looks_share_the_alpha_of_the_family(void **state)
     }
 }
 
+static double phi(double z)
+{
+    return 0.5 * erfc(-z / sqrt(2));
+}
+
 // Shifts of d are factors of the times: the same p come from head made that much faster.
 static void p_values_are_those_of_the_shifted_pairs(void **state)
 {
@@ -99,7 +106,7 @@ static void p_values_are_those_of_the_shifted_pairs(void **state)
     static const double factors[] = {.949, 1.051, 1.049};
     for (int f = 0; f < 3; f++) {
         script(factors[f], 60);
-        reading = sb_gate_read(&rule, base, head, 60, 0, scratch);
+        reading = sb_gate_read(&rule, base, head, NULL, 60, 0, scratch);
         assert_false(reading.blocked);
         for (int i = 0; i < 60; i++)
             d[i] = log(head[i] / 1.05 / base[i]);
@@ -119,9 +126,19 @@ static void p_values_are_those_of_the_shifted_pairs(void **state)
     check_close(reading.ratio.point, ratio.point, 0);
     check_close(reading.ratio.lo, ratio.lo, 0);
     check_close(reading.ratio.hi, ratio.hi, 0);
-    // 7 variants, 5 looks: z[1 - 0.05/35] = 2.98270.
-    check_close(reading.mde, .05 + (2.98270 + 1.28155) * 1.02 * reading.spread / sqrt(60),
-                1e-7);
+    // 7 variants, 5 looks: z[1 - 0.05/35] = 2.98270. 120 pairs confirm it nearly always.
+    const double effect = (reading.mde - .05) / (1.02 * reading.spread);
+    check_close(phi(effect * sqrt(60) - 2.98270) * phi(effect * sqrt(120) - 1.64485), .9,
+                1e-5);
+    check_close(effect * sqrt(60), 2.98270 + 1.28155, 1e-4);
+    // Of one variant and as many pairs as confirm it, the confirmation misses some, too.
+    const struct sb_gate_rule one = sb_gate_rule_default(1);
+    script(1, 240);
+    reading = sb_gate_read(&one, base, head, NULL, 240, 0, scratch);
+    const double beyond = (reading.mde - .02) / (1.02 * reading.spread);
+    check_close(phi(beyond * sqrt(240) - 2.32635) * phi(beyond * sqrt(120) - 1.64485), .9,
+                1e-5);
+    assert_true(beyond * sqrt(240) > 2.32635 + 1.28155 + .1);
     check_close(reading.spread, .01 / 2 * 1.4826, 2e-3); // uniform, give or take 1 %
 }
 
@@ -131,7 +148,8 @@ static void equal_times_are_ties_and_pass(void **state)
     const struct sb_gate_rule rule = sb_gate_rule_default(20);
     for (int i = 0; i < 15; i++)
         base[i] = head[i] = 1000 + i;
-    const struct sb_gate_reading same = sb_gate_read(&rule, base, head, 15, 0, scratch);
+    const struct sb_gate_reading same =
+        sb_gate_read(&rule, base, head, NULL, 15, 0, scratch);
     assert_int_equal(same.verdict, SB_GATE_PASS);
     assert_int_equal(same.ties, 15);
     assert_true(isnan(same.autocorrelation));
@@ -140,7 +158,8 @@ static void equal_times_are_ties_and_pass(void **state)
     // At tolerance 0 equal times are neither slower nor within: half of each.
     struct sb_gate_rule strict = rule;
     strict.tolerance = 0;
-    const struct sb_gate_reading zero = sb_gate_read(&strict, base, head, 15, 1, scratch);
+    const struct sb_gate_reading zero =
+        sb_gate_read(&strict, base, head, NULL, 15, 1, scratch);
     assert_int_equal(zero.verdict, SB_GATE_INCONCLUSIVE);
     check_close(zero.p_slower, 1, 0);
     check_close(zero.p_within, 1, 0);
@@ -158,7 +177,7 @@ static void dependent_pairs_are_ranked_in_blocks_of_five(void **state)
             head[i] = base[i] * (1.02 + 0.01 * sin(i / 3.0) + 1e-4 * i);
         }
         const struct sb_gate_reading reading =
-            sb_gate_read(&rule, base, head, n, true, scratch);
+            sb_gate_read(&rule, base, head, NULL, n, true, scratch);
         assert_true(reading.autocorrelation > 0.8);
         assert_true(reading.blocked);
         assert_int_equal(reading.n, n);
@@ -182,17 +201,68 @@ static void dependent_pairs_are_ranked_in_blocks_of_five(void **state)
         check_close(reading.ratio.point, ratio.point, 1e-14);
         check_close(reading.ratio.lo, ratio.lo, 1e-14);
     }
-    // Neighbours that are opposed are no reason: pairs of which the second batch is cheaper.
-    for (int i = 0; i < 60; i++)
-        head[i] = (base[i] = 1e6) * (i % 2 ? 1.013 : 0.987) * (1 + 1e-5 * i);
-    const struct sb_gate_reading turns = sb_gate_read(&rule, base, head, 60, 0, scratch);
-    assert_true(turns.autocorrelation < -0.2);
-    assert_false(turns.blocked);
-    assert_int_equal(turns.verdict, SB_GATE_PASS);
     for (int n = 1; n < 5; n++) {
-        const struct sb_gate_reading few = sb_gate_read(&rule, base, head, n, 1, scratch);
+        const struct sb_gate_reading few =
+            sb_gate_read(&rule, base, head, NULL, n, 1, scratch);
         assert_int_equal(few.verdict, SB_GATE_INCONCLUSIVE);
     }
+}
+
+// The second batch of each pair is the cheaper, whatever its side: no reason for blocks, and none
+// against them.
+static void turns_of_order_neither_make_pairs_dependent_nor_hide_that_they_are(
+    void **state)
+{
+    (void)state;
+    const struct sb_gate_rule rule = sb_gate_rule_default(20);
+    struct sb_random random = sb_random_seed(11);
+    for (int dependent = 0; dependent < 2; dependent++) {
+        double noise = 0;
+        for (int i = 0; i < 240; i++) {
+            const double memory = dependent ? 0.6 : 0;
+            noise = memory * noise + sqrt(1 - memory * memory) * normal_noise(&random);
+            base[i] = 1e6;
+            head[i] = base[i] * (i % 2 ? 1.03 : 0.97) * exp(0.02 * noise);
+        }
+        const struct sb_gate_reading reading =
+            sb_gate_read(&rule, base, head, NULL, 240, 0, scratch);
+        check_close(reading.autocorrelation, dependent ? 0.6 : 0, 0.15);
+        assert_int_equal(reading.blocked, dependent);
+        assert_int_equal(reading.ratio.n, dependent ? 48 : 240);
+    }
+}
+
+// Two processes have levels of their own: 16 of them are 16 values, however many pairs each has.
+static void pairs_of_processes_are_ranked_as_their_averages(void **state)
+{
+    (void)state;
+    const struct sb_gate_rule rule = sb_gate_rule_default(1);
+    struct sb_random random = sb_random_seed(4);
+    int process[240], n = 0;
+    for (int p = 0; p < 16; p++) {
+        const double level = exp(0.05 * normal_noise(&random));
+        for (int i = 0; i < 5 - p % 2; i++, n++) {
+            process[n] = 3 * p;
+            base[n] = 1e6;
+            head[n] = base[n] * 1.1 * level * exp(0.001 * normal_noise(&random));
+        }
+    }
+    const struct sb_gate_reading reading =
+        sb_gate_read(&rule, base, head, process, n, true, scratch);
+    assert_true(reading.blocked);
+    assert_int_equal(reading.ratio.n, 16);
+    for (int p = 0, at = 0; p < 16; p++) {
+        d[p] = 0;
+        for (int i = 0; i < 5 - p % 2; i++, at++)
+            d[p] += log(head[at] / base[at]) / (5 - p % 2);
+    }
+    check_close(reading.p_slower, sb_signed_rank_p(d, 16, log(1.02), SB_GREATER, scratch),
+                1e-15);
+    // Two or three processes decide nothing.
+    for (int few = 1; few <= 15; few++)
+        assert_int_equal(
+            sb_gate_read(&rule, base, head, process, few, true, scratch).verdict,
+            SB_GATE_INCONCLUSIVE);
 }
 
 static void a_confirmation_judges_just_the_pairs_planned(void **state)
@@ -204,20 +274,20 @@ static void a_confirmation_judges_just_the_pairs_planned(void **state)
         head[i] = base[i] / 2;
     for (int n = 119; n <= 400; n += 281) {
         const struct sb_gate_reading r =
-            sb_gate_confirm(&rule, base, head, n, 0, scratch);
+            sb_gate_confirm(&rule, base, head, NULL, n, 0, scratch);
         assert_int_equal(r.verdict, n < 120 ? SB_GATE_OPEN : SB_GATE_REGRESSION);
         assert_int_equal(r.n, n < 120 ? n : 120);
         check_close(r.alpha, .05, 0);
     }
-    assert_int_equal(sb_gate_confirm(&rule, base, head, 119, 1, scratch).verdict,
+    assert_int_equal(sb_gate_confirm(&rule, base, head, NULL, 119, 1, scratch).verdict,
                      SB_GATE_INCONCLUSIVE);
-    assert_int_equal(sb_gate_confirm(&rule, base, head, 0, 1, scratch).verdict,
+    assert_int_equal(sb_gate_confirm(&rule, base, head, NULL, 0, 1, scratch).verdict,
                      SB_GATE_INCONCLUSIVE);
     script(1.02, 120);
-    assert_int_equal(sb_gate_confirm(&rule, base, head, 120, 0, scratch).verdict,
+    assert_int_equal(sb_gate_confirm(&rule, base, head, NULL, 120, 0, scratch).verdict,
                      SB_GATE_NOT_CONFIRMED);
     script(0.5, 120); // much faster, and yet no more than cleared
-    assert_int_equal(sb_gate_confirm(&rule, base, head, 120, 0, scratch).verdict,
+    assert_int_equal(sb_gate_confirm(&rule, base, head, NULL, 120, 0, scratch).verdict,
                      SB_GATE_NOT_CONFIRMED);
 }
 
@@ -229,12 +299,14 @@ static void times_that_are_none_make_it_invalid(void **state)
     for (int i = 0; i < 8; i++) {
         script(1, 120);
         (i % 2 ? base : head)[14] = none[i / 2];
-        const struct sb_gate_reading r = sb_gate_read(&rule, base, head, 15, 0, scratch);
+        const struct sb_gate_reading r =
+            sb_gate_read(&rule, base, head, NULL, 15, 0, scratch);
         assert_int_equal(r.verdict, SB_GATE_INVALID);
-        assert_int_equal(sb_gate_read(&rule, base, head, 14, 0, scratch).verdict,
+        assert_int_equal(sb_gate_read(&rule, base, head, NULL, 14, 0, scratch).verdict,
                          SB_GATE_OPEN);
-        assert_int_equal(sb_gate_confirm(&rule, base, head, 120, 0, scratch).verdict,
-                         SB_GATE_INVALID);
+        assert_int_equal(
+            sb_gate_confirm(&rule, base, head, NULL, 120, 0, scratch).verdict,
+            SB_GATE_INVALID);
     }
 }
 
@@ -315,14 +387,14 @@ static struct tally simulate(double effect, double memory, int families, uint64_
         measure(&random, effect, memory, 240);
         for (int n = 1; reading.verdict == SB_GATE_OPEN; n++)
             if (sb_look_due(&rule.looks, n))
-                reading = sb_gate_read(&rule, base, head, n, false, scratch);
+                reading = sb_gate_read(&rule, base, head, NULL, n, false, scratch);
         tally.pairs += (double)reading.n / VARIANTS / families;
         tally.passes += reading.verdict == SB_GATE_PASS;
         if (reading.verdict == SB_GATE_CANDIDATE) {
             tally.candidates++;
             alarmed = 1;
             measure(&random, effect, memory, 120);
-            reading = sb_gate_confirm(&rule, base, head, 120, false, scratch);
+            reading = sb_gate_confirm(&rule, base, head, NULL, 120, false, scratch);
             tally.regressions += reading.verdict == SB_GATE_REGRESSION;
             confirmed |= reading.verdict == SB_GATE_REGRESSION;
         }
@@ -383,6 +455,9 @@ int main(void)
         cmocka_unit_test(p_values_are_those_of_the_shifted_pairs),
         cmocka_unit_test(equal_times_are_ties_and_pass),
         cmocka_unit_test(dependent_pairs_are_ranked_in_blocks_of_five),
+        cmocka_unit_test(
+            turns_of_order_neither_make_pairs_dependent_nor_hide_that_they_are),
+        cmocka_unit_test(pairs_of_processes_are_ranked_as_their_averages),
         cmocka_unit_test(a_confirmation_judges_just_the_pairs_planned),
         cmocka_unit_test(times_that_are_none_make_it_invalid),
         cmocka_unit_test(every_verdict_has_a_word_of_its_own),

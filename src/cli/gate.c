@@ -11,6 +11,7 @@
 #include "cli/shader_tree.h"
 #include "cli/write.h"
 #include "measure/interrupt.h"
+#include "scene/scene.h"
 
 struct sides {
     struct sb_options options[SB_SIDES];
@@ -89,6 +90,32 @@ static bool add_assignments(struct sb_assignments *list,
     return true;
 }
 
+// More triangles are another scene, or a better picture of the same one.
+static bool is_quality(const struct sb_axis *axis, const char *scene)
+{
+    return axis->flags & SB_TRUTH && sb_scene_analytic(scene);
+}
+
+// What is drawn must be the same: else neither times nor pictures can be held against each other.
+static bool same_scenes(const struct sides *sides, struct sb_error *err)
+{
+    const struct sb_axes *axes = &sides->suite[SB_HEAD].axes;
+    for (int i = 0; i < sides->suite[SB_HEAD].entry_count; i++) {
+        const struct sb_plan_entry *base = &sides->suite[SB_BASE].entry[i],
+                                   *head = &sides->suite[SB_HEAD].entry[i];
+        for (int a = 0; a < axes->count; a++)
+            if (axes->row[a].kind == SB_SCENE &&
+                !is_quality(&axes->row[a], head->scene) &&
+                base->variant.value[a] != head->variant.value[a])
+                return sb_fail(err, SB_BAD_INPUT,
+                               "base and head have another %s, so they draw two scenes; "
+                               "what may differ is quality and implementation "
+                               "(shadebench list axes)",
+                               axes->row[a].name);
+    }
+    return true;
+}
+
 static bool load_suites(struct sides *sides, const struct sb_options *options,
                         struct sb_arena *arena, struct sb_error *err)
 {
@@ -110,11 +137,12 @@ static bool load_suites(struct sides *sides, const struct sb_options *options,
     }
     const int base = sides->suite[SB_BASE].entry_count,
               head = sides->suite[SB_HEAD].entry_count;
-    return base == head ||
-           sb_fail(err, SB_BAD_INPUT,
-                   "base has %d variants and head %d, so they make no pairs: what "
-                   "--base-set and --head-set set must not be swept",
-                   base, head);
+    if (base != head)
+        return sb_fail(err, SB_BAD_INPUT,
+                       "base has %d variants and head %d, so they make no pairs: what "
+                       "--base-set and --head-set set must not be swept",
+                       base, head);
+    return same_scenes(sides, err);
 }
 
 static bool find_folders(struct sides *sides, const struct sb_options *options,
@@ -220,24 +248,26 @@ static int show(const struct sb_gate_shown *shown)
     struct sb_arena arena = {0};
     struct sb_export export;
     struct sb_error err = {0};
-    if (options->json)
-        sb_cli_print_json(sb_gate_json(shown));
-    else if (!sb_outputs_take_stdout(&options->write))
-        sb_gate_print(shown);
+    // Files first: who reads the table may stop reading.
     sb_gate_export(shown, &arena, &export);
     int code = sb_outputs_write(&options->write, &export);
     if (!sb_export_step_summary(&export, &err))
         code = sb_exit_code_worse(code, sb_cli_fail(&err));
+    if (options->json)
+        sb_cli_print_json(sb_gate_json(shown));
+    else if (!sb_outputs_take_stdout(&options->write))
+        sb_gate_print(shown);
     sb_arena_free(&arena);
     return code;
 }
 
 // For git bisect run, to which 1 to 127 are "bad", 125 is "cannot be tested" and more ends the
-// bisection: so does a command line or folder that is wrong at every commit.
+// bisection: so does a command line or folder that is wrong at every commit, or a base.
 static int bisect_code(int code, const struct sb_error *err)
 {
     enum { SKIP = 125 };
-    if (sb_status_rows[err->status].exit_code == sb_status_rows[SB_USAGE].exit_code)
+    if (sb_status_rows[err->status].exit_code == sb_status_rows[SB_USAGE].exit_code ||
+        code == SB_EXIT_STOP_BISECTION)
         return SB_EXIT_STOP_BISECTION;
     return code > 1 && code < SKIP ? SKIP : code;
 }
@@ -249,6 +279,15 @@ static int count_unjudged(const struct sb_gate_result *result)
     for (int i = 0; i < result->row_count; i++)
         count += sb_gate_base_failed(&result->row[i]);
     return count;
+}
+
+// A base that is of no use for any variant is of none at any commit.
+static bool is_base_lost(const struct sb_gate_result *result)
+{
+    int failed = 0;
+    for (int i = 0; i < result->row_count; i++)
+        failed += sb_gate_base_failed(&result->row[i]);
+    return failed > 0 && failed == result->row_count - result->count[SB_GATE_SKIPPED];
 }
 
 static int judge(struct sides *sides, const struct sb_options *options,
@@ -273,12 +312,18 @@ static int judge(struct sides *sides, const struct sb_options *options,
         if (lost.count > 0)
             code = sb_exit_code_worse(code, sb_status_rows[SB_WORSE_PICTURE].exit_code);
     }
-    if (options->fail_on_inconclusive && count_unjudged(&result) > 0)
+    // To git, 0 is "good", which what is not known is not.
+    if ((options->fail_on_inconclusive || options->bisect) &&
+        (count_unjudged(&result) > 0 || lost.unknown))
         code = sb_exit_code_worse(code, sb_status_rows[SB_INCONCLUSIVE].exit_code);
     if (result.row)
         code = sb_exit_code_worse(code, show(&shown));
     if (!good)
         code = sb_exit_code_worse(code, sb_cli_fail(err));
+    if (options->bisect && is_base_lost(&result)) {
+        sb_warn("base cannot be judged at all, here or at any other commit");
+        code = SB_EXIT_STOP_BISECTION;
+    }
     sb_gate_lost_free(&lost);
     sb_gate_result_free(&result);
     return code;

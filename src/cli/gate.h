@@ -13,6 +13,7 @@ struct sb_gate_lost { // hard cases that base passes and head does not
         const char *says;
     } * it;
     int count, capacity;
+    bool unknown; // those of base could not be verified
     struct sb_arena arena;
 };
 
@@ -36,7 +37,8 @@ void sb_gate_export(const struct sb_gate_shown *shown, struct sb_arena *arena,
 // `list`, of --cases: "all", or cases and families with commas between; NULL: none. SB_USAGE.
 bool sb_gate_cases_check(const char *list, struct sb_error *err);
 // Verifies them with both shader folders, and tells of each cell that base passes and head does
-// not. *lost must be zeroed; free also after failure.
+// not. Where base's cannot be verified none is lost, and lost->unknown. *lost must be zeroed; free
+// also after failure. SB_INTERRUPTED where a signal came.
 bool sb_gate_cases(const struct sb_gate_params *params, const char *list,
                    struct sb_gate_lost *lost, struct sb_error *err);
 void sb_gate_lost_free(struct sb_gate_lost *lost);

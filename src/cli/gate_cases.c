@@ -81,6 +81,9 @@ static bool verify(const struct sb_gate_params *params, int side, const char *li
     };
     if (!sb_process_run(&process, &exit_code, err))
         return false;
+    if (exit_code == sb_status_rows[SB_INTERRUPTED].exit_code)
+        return sb_fail(err, SB_INTERRUPTED, "interrupted at the hard cases of %s",
+                       sb_side_names[side]);
     return exit_code <= 1 ||
            sb_fail(err, SB_INTERNAL,
                    "the hard cases of %s cannot be judged: shadebench verify ended with "
@@ -151,14 +154,20 @@ bool sb_gate_cases(const struct sb_gate_params *params, const char *list,
     struct sb_arena arena = {0};
     struct sb_csv csv[SB_SIDES] = {{0}};
     bool good = true;
-    for (int side = 0; good && side < SB_SIDES; side++) {
+    for (int side = 0; good && side < SB_SIDES && !lost->unknown; side++) {
         const char *dir =
             sb_arena_printf(&arena, "%s/cases-%s", params->dir, sb_side_names[side]);
         sb_info("verifying the hard cases of %s", sb_side_names[side]);
         good = verify(params, side, list, dir, &arena, err) &&
                sb_csv_read(sb_path_join(&arena, dir, "cases.csv"), &csv[side], err);
+        if (!good && side == SB_BASE && err->status != SB_INTERRUPTED) {
+            sb_warn("%s; head's have nothing to be held against", err->text);
+            *err = (struct sb_error){0};
+            good = lost->unknown = true;
+        }
     }
-    good = good && find_lost(&csv[SB_BASE], &csv[SB_HEAD], lost, err);
+    if (good && !lost->unknown)
+        good = find_lost(&csv[SB_BASE], &csv[SB_HEAD], lost, err);
     for (int side = 0; side < SB_SIDES; side++)
         sb_csv_free(&csv[side]);
     sb_arena_free(&arena);

@@ -156,6 +156,29 @@ static void print_table(const struct sb_gate_result *result, const struct sb_sui
     free(names.row);
 }
 
+static bool same_note(const struct sb_gate_row *a, const struct sb_gate_row *b)
+{
+    return b->note && strcmp(a->note, b->note) == 0 && strcmp(a->status, b->status) == 0;
+}
+
+// What befell several rows alike is told once.
+static void print_note(const struct sb_gate_result *result, int place,
+                       const char *verdict)
+{
+    const struct sb_gate_row *row = &result->row[place];
+    int more = 0;
+    for (int i = 0; i < result->row_count; i++) {
+        if (i < place && same_note(row, &result->row[i]))
+            return;
+        more += i > place && same_note(row, &result->row[i]);
+    }
+    printf("%s: %s %s", strcmp(row->status, "ok") == 0 ? verdict : row->status,
+           row->scene, row->variant);
+    if (more > 0)
+        printf(" and %d more", more);
+    printf(": %s\n", row->note);
+}
+
 // One line for each row that needs words.
 static void print_notes(const struct sb_gate_result *result)
 {
@@ -170,9 +193,7 @@ static void print_notes(const struct sb_gate_result *result)
         if (isfinite(row->confirm_ratio))
             printf("\n");
         if (row->note && sb_gate_verdict_find(verdict) != SB_GATE_SKIPPED)
-            printf("%s: %s %s: %s\n",
-                   strcmp(row->status, "ok") == 0 ? verdict : row->status, row->scene,
-                   row->variant, row->note);
+            print_note(result, i, verdict);
     }
 }
 
@@ -182,6 +203,14 @@ static void print_bias(const struct sb_gate_shown *shown)
     const double tolerance = shown->result->rule.tolerance;
     if (bias->variant < 0) {
         printf("bias: no variant was timed\n");
+        return;
+    }
+    if (shown->result->bias_incomplete) {
+        printf("bias: not known: a variant has fewer than %d pairs%s\n",
+               shown->result->rule.confirm_pairs,
+               shown->result->interrupted
+                   ? ""
+                   : "; give it more time (--budget SECONDS), or a quieter machine");
         return;
     }
     printf("bias: of two equal programs the one read up to %.2f %% more or less than the "
@@ -226,16 +255,18 @@ static void print_foot(const struct sb_gate_shown *shown)
         printf(
             "skipped: the final sources of both sides are equal, so there is nothing to "
             "time\n");
-    if (shown->lost)
+    if (shown->lost && shown->lost->unknown)
+        printf("hard cases: not known, since base's cannot be verified\n");
+    else if (shown->lost)
         printf("hard cases: %d that base passes and head does not\n", shown->lost->count);
     if (isfinite(result->counting.repeatability) &&
         result->metric == SB_METRIC_INSTRUCTIONS)
         print_repeatability(&result->counting);
     if (isfinite(result->median_mde))
-        printf(
-            "least slowdown that is found in nine of ten gates: %.2g %% (median over the "
-            "variants)\n",
-            100 * result->median_mde);
+        printf("least slowdown that so many pairs find in nine of ten gates: %.2g %% "
+               "(median "
+               "over the variants)\n",
+               100 * result->median_mde);
     printf("%.1f s; results: %s/gate.csv\n", result->seconds, shown->dir);
     if (result->interrupted)
         printf("interrupted: what is not judged is inconclusive\n");
@@ -276,7 +307,7 @@ json_t *sb_gate_json(const struct sb_gate_shown *shown)
         json_object_set_new(object, "mde", json_real(result->median_mde));
     if (shown->options->selftest && isfinite(result->bias.bias))
         json_object_set_new(object, "bias", json_real(result->bias.bias));
-    if (shown->lost)
+    if (shown->lost && !shown->lost->unknown)
         json_object_set_new(object, "cases_lost", json_integer(shown->lost->count));
     json_object_set_new(object, "verdicts", counts);
     json_object_set_new(object, "rows", rows);

@@ -151,28 +151,35 @@ static bool count_repeats(struct sb_gate_state *gate, struct sb_gate_session *co
         sb_gate_pair_row(counting, pair, r, first, sample, &row);
         if (!sb_row_file_add(gate->pairs, &row, 1, sizeof row, err))
             return false;
-        sb_gate_pair_keep(pair, SB_METRIC_INSTRUCTIONS, sample);
+        sb_gate_pair_keep(pair, SB_METRIC_INSTRUCTIONS, 0, sample);
         pair->counts = read_counts(gate, pair, over);
     }
     return true;
 }
 
-// Why a pair that was to be counted cannot be; SB_OK where it can.
-static void why_not(const struct sb_gate_pair *pair, struct sb_error *why)
+// Why a pair that was to be counted cannot be, and the side whose fault it is; SB_OK where it can.
+// What both sides cannot is head's: nothing speaks for it.
+static enum sb_side why_not(const struct sb_gate_pair *pair, struct sb_error *why)
 {
+    enum sb_side which = SB_HEAD;
     for (int side = 0; side < SB_SIDES; side++) {
         const struct sb_task *task = &pair->task[side];
-        if (why->status == SB_OK && !sb_task_sound(task))
-            sb_fail(why, task->status, "to be counted, %s: %s", sb_side_names[side],
-                    sb_text_get(&task->note));
+        if (sb_task_sound(task))
+            continue;
+        which = (enum sb_side)side;
+        sb_fail(why, task->status, "to be counted: %s", sb_text_get(&task->note));
     }
+    return which;
 }
 
-// Counts the pairs of `counting` that are active. `take`: what becomes of a reading.
+struct outcome { // what becomes of a reading, and of a pair that has none
+    void (*take)(struct sb_gate_state *, int i, const struct sb_gate_pair *counted);
+    void (*lose)(struct sb_gate_state *, int i, enum sb_side, const struct sb_error *why);
+};
+
+// Counts the pairs of `counting` that are active.
 static bool count_all(struct sb_gate_state *gate, struct sb_gate_session *counting,
-                      void (*take)(struct sb_gate_state *, int i,
-                                   const struct sb_gate_pair *counted),
-                      struct sb_error *err)
+                      const struct outcome *outcome, struct sb_error *err)
 {
     int warm = WARM_PAIRS;
     prepare_wanted(counting);
@@ -185,15 +192,15 @@ static bool count_all(struct sb_gate_state *gate, struct sb_gate_session *counti
         snprintf(line, sizeof line, "counting variant %d of %d", i + 1,
                  counting->pair_count);
         sb_progress(line);
-        why_not(pair, &failure);
+        const enum sb_side side = why_not(pair, &failure);
         if (failure.status == SB_OK &&
             !count_repeats(gate, counting, pair, warm, &failure, err))
             return false;
         warm = 0;
         if (failure.status != SB_OK)
-            sb_task_fail(&gate->session.pair[i].task[SB_HEAD], &failure);
+            outcome->lose(gate, i, side, &failure);
         else
-            take(gate, i, pair);
+            outcome->take(gate, i, pair);
     }
     sb_progress("");
     return true;
@@ -232,6 +239,12 @@ static void take_first(struct sb_gate_state *gate, int i,
                      100 * pair->counts.repeatability, 100 * gate->params.rule.tolerance);
 }
 
+static void lose_first(struct sb_gate_state *gate, int i, enum sb_side side,
+                       const struct sb_error *why)
+{
+    sb_task_fail(&gate->session.pair[i].task[side], why);
+}
+
 static void add_reading(const struct sb_counts_reading *reading,
                         struct sb_gate_counting *told)
 {
@@ -248,7 +261,8 @@ bool sb_gate_counts_run(struct sb_gate_state *gate, struct sb_gate_result *resul
     const struct sb_gate_session *session = &gate->session;
     for (int i = 0; i < session->pair_count; i++)
         gate->counting.pair[i].active = session->pair[i].active;
-    const bool good = count_all(gate, &gate->counting, take_first, err);
+    const struct outcome outcome = {take_first, lose_first};
+    const bool good = count_all(gate, &gate->counting, &outcome, err);
     result->counting.repeatability = NAN;
     for (int i = 0; i < session->pair_count; i++)
         if (session->pair[i].count > 0)
@@ -261,6 +275,14 @@ static void take_again(struct sb_gate_state *gate, int i,
 {
     gate->session.pair[i].reading.verdict = sb_counts_confirm(&counted->counts);
     gate->row[i].confirm_ratio = counted->counts.ratio.point;
+}
+
+// It stays a candidate, which nobody has confirmed.
+static void lose_again(struct sb_gate_state *gate, int i, enum sb_side side,
+                       const struct sb_error *why)
+{
+    sb_task_note(&gate->session.pair[i].task[SB_HEAD], "in a fresh process %s: %s",
+                 sb_side_names[side], why->text);
 }
 
 bool sb_gate_counts_confirm(struct sb_gate_state *gate, struct sb_error *err)
@@ -278,7 +300,8 @@ bool sb_gate_counts_confirm(struct sb_gate_state *gate, struct sb_error *err)
     if (!sb_interrupted() && open_counting(gate, &fresh, 1, &failure)) {
         for (int i = 0; i < session->pair_count; i++)
             fresh.pair[i].active = session->pair[i].reading.verdict == SB_GATE_CANDIDATE;
-        good = count_all(gate, &fresh, take_again, err);
+        const struct outcome outcome = {take_again, lose_again};
+        good = count_all(gate, &fresh, &outcome, err);
     }
     sb_gate_session_close(&fresh);
     for (int i = 0; i < session->pair_count; i++) {

@@ -117,6 +117,13 @@ static enum sb_gate_verdict verdict_of(const struct sb_gate_pair *pair)
     return pair->count == 0 ? SB_GATE_INCONCLUSIVE : pair->reading.verdict;
 }
 
+// What is held against itself is neither slower nor not.
+static bool has_verdict(const struct sb_gate_state *gate, enum sb_gate_verdict verdict)
+{
+    return !gate->params.selftest || verdict == SB_GATE_INVALID ||
+           verdict == SB_GATE_SKIPPED;
+}
+
 // What head got wrong comes first: base's own slips are mended by it.
 static void fill_status(const struct sb_gate_pair *pair, struct sb_gate_row *row)
 {
@@ -141,8 +148,7 @@ static void fill_row(struct sb_gate_state *gate, int i)
         head->entry ? head->entry->id : gate->params.side[SB_HEAD].suite->entry[i].id;
     row->scene = gate->params.side[SB_HEAD].suite->entry[i].scene;
     const enum sb_gate_verdict verdict = verdict_of(pair);
-    if (!gate->params.selftest || verdict == SB_GATE_INVALID ||
-        verdict == SB_GATE_SKIPPED)
+    if (has_verdict(gate, verdict))
         row->verdict = sb_gate_verdict_rows[verdict].word;
     fill_status(pair, row);
     row->picture = pair->picture;
@@ -185,7 +191,11 @@ static bool confirm(struct sb_gate_state *gate, int i, int process, struct sb_er
 {
     struct sb_gate_pair *candidate = &gate->session.pair[i];
     struct sb_gate_session fresh = {
-        .process = process, .metric = gate->session.metric, .pair_count = 1};
+        .process = process,
+        .metric = gate->session.metric,
+        .timer = gate->session.timer,
+        .pair_count = 1,
+    };
     struct sb_error failure = {0};
     bool good = true;
     fresh.pair = sb_alloc(sizeof *fresh.pair);
@@ -297,7 +307,8 @@ static void conclude(struct sb_gate_state *gate, struct sb_gate_result *result)
         const struct sb_gate_pair *pair = &session->pair[i];
         const struct sb_task *base = &pair->task[SB_BASE], *head = &pair->task[SB_HEAD];
         const enum sb_gate_verdict verdict = verdict_of(pair);
-        result->count[verdict]++;
+        if (has_verdict(gate, verdict))
+            result->count[verdict]++;
         int code = sb_status_rows[head->status].exit_code;
         // What base alone got wrong, head has mended.
         if (code == 0 && verdict == SB_GATE_INVALID &&
@@ -318,10 +329,12 @@ static void conclude(struct sb_gate_state *gate, struct sb_gate_result *result)
                                                sb_status_rows[SB_INTERRUPTED].exit_code);
 }
 
-// The bias of a program against itself, over all variants.
+// The bias of a program against itself, over all variants. From fewer pairs than were planned
+// there is none: small ones would pass for want of proof.
 static void judge_bias(struct sb_gate_state *gate, struct sb_gate_result *result)
 {
     const struct sb_gate_session *session = &gate->session;
+    const bool counted = session->metric == SB_METRIC_INSTRUCTIONS;
     struct sb_interval *ratio =
         sb_alloc(((size_t)session->pair_count + 1) * sizeof *ratio);
     int count = 0;
@@ -329,7 +342,9 @@ static void judge_bias(struct sb_gate_state *gate, struct sb_gate_result *result
         count += session->pair[i].count > 0;
     for (int i = 0; i < session->pair_count; i++) {
         const struct sb_gate_pair *pair = &session->pair[i];
-        if (session->metric == SB_METRIC_INSTRUCTIONS && pair->count > 0) {
+        result->bias_incomplete |= !counted && sb_gate_pair_timed(pair) &&
+                                   pair->count < gate->params.rule.confirm_pairs;
+        if (counted && pair->count > 0) {
             ratio[i] = pair->reading.ratio;
             continue;
         }
@@ -339,10 +354,21 @@ static void judge_bias(struct sb_gate_state *gate, struct sb_gate_result *result
         free(scratch);
     }
     result->bias = sb_gate_bias(ratio, session->pair_count, gate->params.rule.tolerance);
-    if (!result->bias.tolerable)
+    result->bias.tolerable &= !result->bias_incomplete;
+    if (!result->bias.tolerable && !result->interrupted)
         result->exit_code = sb_exit_code_worse(
             result->exit_code, sb_status_rows[SB_SAMPLES_INVALID].exit_code);
     free(ratio);
+}
+
+static void fail_timed(struct sb_gate_session *session, const struct sb_error *err)
+{
+    for (int i = 0; i < session->pair_count; i++) {
+        struct sb_gate_pair *pair = &session->pair[i];
+        if (sb_gate_pair_timed(pair))
+            sb_task_fail(&pair->task[SB_HEAD], err);
+        pair->active = false;
+    }
 }
 
 static bool compare(struct sb_gate_state *gate, struct sb_gate_result *result,
@@ -368,8 +394,10 @@ static bool compare(struct sb_gate_state *gate, struct sb_gate_result *result,
     sb_gate_pictures(session);
     for (int i = 0; i < session->pair_count; i++)
         session->pair[i].active = sb_gate_pair_timed(&session->pair[i]);
-    if (!counts && !sb_gate_make_ready(session, err))
-        return false;
+    // Without a metric to believe there are pictures all the same, and what is wrong with them.
+    struct sb_error none = {0};
+    if (!counts && !sb_gate_make_ready(session, &none))
+        fail_timed(session, &none);
     gate->params.rule.variants = count_timed(session) > 0 ? count_timed(session) : 1;
     result->rule = gate->params.rule;
     if (!sb_gate_record(gate, result, false, err) || !write_rows(gate, err))
@@ -381,7 +409,8 @@ static bool compare(struct sb_gate_state *gate, struct sb_gate_result *result,
         .session = session,
         .rule = &gate->params.rule,
         .fixed = params->selftest,
-        .seconds = params->settings->budget,
+        .seconds = params->selftest ? fmax(params->settings->budget, CONFIRM_SECONDS)
+                                    : params->settings->budget,
         .file = gate->pairs,
         .arena = &gate->arena,
     };

@@ -65,6 +65,7 @@ struct sb_gate_result {
     enum sb_metric metric;            // that was used; never SB_METRIC_AUTO
     struct sb_gate_rule rule;
     struct sb_gate_bias bias; // selftest
+    bool bias_incomplete;     // of fewer pairs than planned: it says nothing
     struct sb_gate_counting counting;
     struct sb_caps caps[SB_SIDES];
     const char *timer; // the metric's source: that of GL, or the clock

@@ -141,15 +141,19 @@ static bool measure(struct measuring *all, struct sb_gate_session *session,
     return sb_gate_rounds_run(&rounds, err);
 }
 
-static bool measure_process(struct measuring *all, int process, struct sb_error *err)
+// A process that was interrupted is none: its pairs are fewer than those of the others.
+static bool measure_process(struct measuring *all, int process, int *done,
+                            struct sb_error *err)
 {
     const int count = all->params->suite->entry_count;
     struct sb_gate_session session = {.process = process, .pair_count = count};
     session.pair = sb_alloc(((size_t)count + 1) * sizeof *session.pair);
     const bool good = measure(all, &session, err);
     sb_progress("");
-    for (int i = 0; good && i < count; i++)
+    const bool whole = good && !sb_interrupted();
+    for (int i = 0; whole && i < count; i++)
         take(all, &session, i);
+    *done += whole;
     sb_gate_session_close(&session);
     return good;
 }
@@ -227,6 +231,7 @@ bool sb_history_measure(const struct sb_history_measure_params *params,
         .params = params, .gate = gate_params(params), .measured = measured};
     struct sb_arena arena = {0};
     bool good = true;
+    int done = 0;
     all.variant = sb_arena_alloc(&arena, ((size_t)count + 1) * sizeof *all.variant);
     measured->row = sb_alloc(((size_t)count + 1) * sizeof *measured->row);
     for (int i = 0; i < count; i++) {
@@ -235,9 +240,15 @@ bool sb_history_measure(const struct sb_history_measure_params *params,
         sb_history_row_init(&measured->row[i]);
     }
     for (int p = 0; good && p < processes && !sb_interrupted(); p++)
-        good = measure_process(&all, p, err);
-    if (good && sb_interrupted())
-        good = sb_fail(err, SB_INTERRUPTED, "interrupted: what was measured is not kept");
+        good = measure_process(&all, p, &done, err);
+    if (good && done == 0)
+        good = sb_fail(err, SB_INTERRUPTED,
+                       "interrupted before a process was done: nothing is kept");
+    if (good && done < processes) {
+        sb_warn("interrupted: %d of %d processes were done, and are kept", done,
+                processes);
+        measured->exit_code = sb_status_rows[SB_INTERRUPTED].exit_code;
+    }
     for (int i = 0; good && i < count; i++)
         fill_row(&all, i);
     measured->row_count = good ? count : 0;

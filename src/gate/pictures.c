@@ -93,19 +93,18 @@ static void judge_changed(struct sb_gate_session *session, struct sb_gate_pair *
         say_worse(pair);
 }
 
-// Head's variants of one class must still agree.
+// A picture that changed must still be that of the others of its class, wherever in the plan they
+// stand. What has not changed agrees as much as it did on base's side, which is no matter of head's.
 static void check_class(struct sb_gate_session *session, int place)
 {
     const struct sb_axes *axes = &session->params->side[SB_HEAD].suite->axes;
     struct sb_task *task = &session->pair[place].task[SB_HEAD];
-    for (int i = 0; i < place; i++) {
+    for (int i = 0; i < session->pair_count && sb_task_sound(task); i++) {
         struct sb_task *other = &session->pair[i].task[SB_HEAD];
-        if (!sb_task_sound(other) ||
-            strcmp(task->entry->scene, other->entry->scene) != 0 ||
-            !sb_variant_same_class(axes, &task->entry->variant, &other->entry->variant))
-            continue;
-        sb_check_class(task, other, &session->driver[SB_HEAD]);
-        return;
+        if (i != place && sb_task_sound(other) && other->loaded &&
+            strcmp(task->entry->scene, other->entry->scene) == 0 &&
+            sb_variant_same_class(axes, &task->entry->variant, &other->entry->variant))
+            sb_check_class(task, other, &session->driver[SB_HEAD]);
     }
 }
 
@@ -129,10 +128,10 @@ static void judge(struct sb_gate_session *session, int place, struct sb_truths *
         return;
     }
     pair->picture = "equal";
-    if (!equal)
-        judge_changed(session, pair, truths);
-    if (sb_task_sound(head))
-        check_class(session, place);
+    if (equal)
+        return;
+    judge_changed(session, pair, truths);
+    check_class(session, place);
 }
 
 void sb_gate_pictures(struct sb_gate_session *session)

@@ -82,8 +82,9 @@ static json_t *make(const struct sb_gate_state *gate, const struct sb_gate_resul
     json_object_set_new(object, "seed", json_integer((json_int_t)params->settings->seed));
     json_object_set_new(object, "budget", json_real(params->settings->budget));
     if (result->metric == SB_METRIC_GPU)
-        json_object_set_new(object, "timers",
-                            sb_audit_json(&gate->session.driver[SB_BASE]));
+        for (int side = 0; side < (params->apart ? SB_SIDES : 1); side++)
+            json_object_set_new(object, side == SB_BASE ? "timers" : "head_timers",
+                                sb_audit_json(&gate->session.driver[side]));
     if (result->metric == SB_METRIC_INSTRUCTIONS)
         json_object_set_new(object, "counting", counting_json(&result->counting));
     json_object_set_new(object, "machine", sb_machine_json());

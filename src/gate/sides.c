@@ -46,10 +46,42 @@ static bool open_side(struct sb_gate_session *session, enum sb_side side,
     if (!connect(session, &params->side[side].driver, driver, err))
         return false;
     session->open[side] = true;
+    return true;
+}
+
+// CPU time is the cost of a picture where a CPU draws it, and else that of asking for it. Of one of
+// each, only the clock is the same on both sides.
+static bool choose_metric(struct sb_gate_session *session, struct sb_error *err)
+{
+    const bool cpu[SB_SIDES] = {session->driver[SB_BASE].caps.software,
+                                session->driver[SB_HEAD].caps.software};
+    const bool alike = cpu[SB_BASE] == cpu[SB_HEAD];
     if (session->metric == SB_METRIC_AUTO)
-        session->metric = driver->caps.software ? SB_METRIC_CPU : SB_METRIC_GPU;
-    return session->metric != SB_METRIC_GPU ||
-           sb_driver_prove(driver, params->side[side].driver.timer, err);
+        session->metric = !alike         ? SB_METRIC_WALL
+                          : cpu[SB_BASE] ? SB_METRIC_CPU
+                                         : SB_METRIC_GPU;
+    return alike || session->metric == SB_METRIC_WALL ||
+           sb_fail(err, SB_BAD_INPUT,
+                   "--metric %s: a CPU draws one side and a GPU the other; valid: wall",
+                   sb_metric_rows[session->metric].name);
+}
+
+// Two sources may each be credible, and not alike: the sides have one, and confirmations the same.
+static bool prove_timers(struct sb_gate_session *session, struct sb_error *err)
+{
+    if (session->metric != SB_METRIC_GPU)
+        return true;
+    for (int side = 0; side < SB_SIDES; side++) {
+        struct sb_driver *driver = &session->driver[side];
+        const char *wanted =
+            session->timer ? session->timer : session->params->side[side].driver.timer;
+        if (side == SB_HEAD && !session->params->apart)
+            *driver = session->driver[SB_BASE];
+        else if (!sb_driver_prove(driver, wanted, err))
+            return false;
+        session->timer = driver->audit.source[driver->timer].name;
+    }
+    return true;
 }
 
 bool sb_gate_session_open(struct sb_gate_session *session,
@@ -58,7 +90,8 @@ bool sb_gate_session_open(struct sb_gate_session *session,
     session->params = params;
     if (session->metric == SB_METRIC_AUTO) // else a confirmation: what the gate has
         session->metric = params->metric;
-    return open_side(session, SB_BASE, err) && open_side(session, SB_HEAD, err);
+    return open_side(session, SB_BASE, err) && open_side(session, SB_HEAD, err) &&
+           choose_metric(session, err) && prove_timers(session, err);
 }
 
 // A frozen program is prepared once, as the first pair's; the others have a copy that owns nothing.
@@ -107,6 +140,8 @@ void sb_gate_session_close(struct sb_gate_session *session)
                 sb_task_free(&session->pair[i].task[side], &session->driver[side]);
             free(session->pair[i].value[side]);
         }
+    for (int i = 0; i < session->pair_count; i++)
+        free(session->pair[i].process);
     free(session->pair);
     for (int side = 0; side < SB_SIDES; side++)
         if (session->open[side])

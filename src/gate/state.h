@@ -15,8 +15,10 @@ struct sb_gate_pair { // one plan entry, on both sides
     struct sb_counts_reading counts; // metric instructions: what `reading` is made of
     int batch[SB_SIDES]; // frames; the same on both sides, unless params->own_batches
     double *value[SB_SIDES];
+    int *process; // that each pair was measured in, of one session (sb_gate_pair_keep)
     int count, capacity; // pairs
     int written;         // of them, on disk
+    int flagged; // others, of which a batch has no time; those that a worker lost aside
     struct sb_gate_reading reading;
 };
 
@@ -24,6 +26,8 @@ struct sb_gate_session { // the processes that draw, and what they hold
     const struct sb_gate_params *params;
     int process; // 0: the gate's own; then one a confirmation
     enum sb_metric metric;
+    const char *
+        timer; // of the metric gpu: the source in use, on both sides; NULL: not chosen yet
     bool callgrind;                    // the processes run under it
     struct sb_driver driver[SB_SIDES]; // one and the same, unless params->apart
     bool open[SB_SIDES];               // this session's to close
@@ -52,7 +56,7 @@ bool sb_gate_pair_shoot(struct sb_gate_session *session, const struct sb_gate_pa
 void sb_gate_pair_row(const struct sb_gate_session *session,
                       const struct sb_gate_pair *pair, int round, enum sb_side first,
                       const struct sb_sample sample[SB_SIDES], struct sb_pair_row *row);
-void sb_gate_pair_keep(struct sb_gate_pair *pair, enum sb_metric metric,
+void sb_gate_pair_keep(struct sb_gate_pair *pair, enum sb_metric metric, int process,
                        const struct sb_sample sample[SB_SIDES]);
 struct sb_gate_rounds {
     struct sb_gate_session *session;

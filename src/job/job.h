@@ -239,6 +239,9 @@ struct sb_runner_fns {
     // (SB_SAMPLE_LOST) do not tell. NULL: none is.
     bool (*holds)(void *, uint32_t job, struct sb_error *);
     int (*workers)(const void *); // processes that it has used so far; NULL: one
+    // Ends the process that draws: the next call is to a fresh one, which is told of the jobs that
+    // it needs. NULL: there is none of its own.
+    void (*renew)(void *);
     void (*close)(void *);
 };
 

@@ -165,7 +165,8 @@ static double noise(struct null_runner *null)
 }
 
 // The null runner names no axis, so any axis that is a count costs: the sum of all numbers
-// of the scene axes, each weighted by its place, makes variants differ.
+// of the scene axes, each weighted by its place, makes variants differ. A way of doing it that stands
+// before the default in its list takes less, one behind it more.
 static double made_up_cost(const struct sb_job *job)
 {
     double cost = 2e5;
@@ -174,6 +175,10 @@ static double made_up_cost(const struct sb_job *job)
         if (axes->row[i].kind == SB_SCENE && !axes->row[i].values &&
             axes->row[i].max <= 256)
             cost += 1e4 * (1 + i % 3) * job->variant.value[i];
+    for (int i = 0; i < axes->count; i++)
+        if (axes->row[i].kind == SB_IMPLEMENTATION && axes->row[i].values &&
+            job->variant.value[i] != axes->row[i].init)
+            cost *= job->variant.value[i] < axes->row[i].init ? 0.6 : 1.6;
     return cost;
 }
 

@@ -45,8 +45,8 @@ static bool shoot_least(const struct sb_driver *driver, const struct sb_shot *sh
     return true;
 }
 
-static double wanted_ns(const struct sb_driver *driver,
-                        const struct sb_measure_settings *settings)
+double sb_calibrate_wanted_ns(const struct sb_driver *driver,
+                              const struct sb_measure_settings *settings)
 {
     const struct sb_timer_source *source = &driver->audit.source[driver->timer];
     const double floor = fmax(fmax(1000 * source->granularity_ns, 50 * source->empty_ns),
@@ -64,7 +64,7 @@ bool sb_calibrate_batch(struct sb_task *task, const struct sb_driver *driver,
     }
     if (task->batch == 0)
         task->batch = 1;
-    const double wanted = wanted_ns(driver, settings);
+    const double wanted = sb_calibrate_wanted_ns(driver, settings);
     for (int step = 0; step < 16; step++) {
         double ns;
         const struct sb_shot shot = whole_frames(task, task->batch);

@@ -4,6 +4,10 @@
 
 #include "measure/task.h"
 
+// How long a batch is to be, in ns, as below.
+double sb_calibrate_wanted_ns(const struct sb_driver *driver,
+                              const struct sb_measure_settings *settings);
+
 // Frames a batch: the fewest that last max(1000 x granularity, 50 x an empty query,
 // 50 x what the audit saw the timer misread a batch by, batch_ms),
 // but no more than a batch of 20 ms. Only ever grows the batch, so it can be asked again once

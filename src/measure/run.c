@@ -395,7 +395,9 @@ static bool open_all(struct sb_run_state *run, struct sb_error *err)
         run->borrowed = true;
         return sb_driver_use_timer(&run->driver, driver.timer, err);
     }
-    sb_progress("opening the context and auditing its timers");
+    sb_progress(sb_driver_untimed(&driver)
+                    ? "opening the context"
+                    : "opening the context and auditing its timers");
     if (!sb_driver_open(&driver, &run->driver, err)) {
         if (err->status == SB_NO_TIMER && !params->append)
             draw_untimed(run, &driver);

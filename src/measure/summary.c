@@ -385,9 +385,9 @@ void sb_summarise(const struct sb_summary_params *params, struct sb_row *row,
         row[i].renderer = driver->caps.renderer;
         row[i].version = driver->caps.version;
         row[i].timer_source = timer->name;
-        row[i].timer_error = timer == &none // fmax passes over NAN
-                                 ? NAN
-                                 : fmax(timer->error, params->timer_error);
+        // fmax passes over a NAN, which is what an error of no timer is.
+        row[i].timer_error =
+            driver->timer < 0 ? NAN : fmax(timer->error, params->timer_error);
         fill_precision(driver, &row[i], arena);
         fill_work(task, &row[i], arena);
         sb_accuracy_fill(task, &row[i]);

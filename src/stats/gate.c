@@ -43,19 +43,52 @@ struct sb_gate_rule sb_gate_rule_default(int variants)
 static const double too_dependent = 0.2;
 static const double power = 0.9;
 
+static double mean(const double *values, int n)
+{
+    double sum = 0;
+    for (int i = 0; i < n; i++)
+        sum += values[i];
+    return sum / n;
+}
+
 // Averages of blocks of d, in its place; how many. The last block takes what is left.
 static int average_blocks(double *d, int n)
 {
     const int blocks = n < SB_GATE_BLOCK ? 1 : n / SB_GATE_BLOCK;
     for (int block = 0; block < blocks; block++) {
         const int begin = block * SB_GATE_BLOCK;
-        const int end = block < blocks - 1 ? begin + SB_GATE_BLOCK : n;
-        double sum = 0;
-        for (int i = begin; i < end; i++)
-            sum += d[i];
-        d[block] = sum / (end - begin);
+        d[block] = mean(d + begin, block < blocks - 1 ? SB_GATE_BLOCK : n - begin);
     }
     return blocks;
+}
+
+// The same of the pairs of each process.
+static int average_processes(double *d, const int *process, int n)
+{
+    int count = 0;
+    for (int begin = 0, end; begin < n; begin = end) {
+        for (end = begin + 1; end < n && process[end] == process[begin];)
+            end++;
+        d[count++] = mean(d + begin, end - begin);
+    }
+    return count;
+}
+
+// That of d without what the order within the pairs does, which is turned from pair to pair: it sets
+// neighbours apart, and would hide that they depend on each other. Room for 3 n values.
+static double autocorrelation(const double *d, int n, double *scratch)
+{
+    double *rest = scratch, *turn = scratch + n;
+    for (int first = 0; first < 2; first++) {
+        int count = 0;
+        for (int i = first; i < n; i += 2)
+            turn[count++] = d[i];
+        sb_sort_doubles(turn, count);
+        const double middle = count ? sb_median(turn, count) : 0;
+        for (int i = first; i < n; i += 2)
+            rest[i] = d[i] - middle;
+    }
+    return sb_rank_autocorrelation(rest, n, scratch + n);
 }
 
 // The interval of averaged d, as of head and base that have these ratios.
@@ -69,9 +102,31 @@ static struct sb_interval block_ratio(const double *d, int n, double *scratch)
     return sb_paired_ratio(base, head, n, 0.95, scratch + 2 * (size_t)n);
 }
 
+// The least effect beyond the tolerance that is a candidate after so many units, and then confirmed,
+// with that power: between what the harder of the two finds alone, and what both find so often
+// that together they do.
+static double least_found(const struct sb_gate_rule *rule,
+                          const struct sb_gate_reading *reading, int units)
+{
+    const double spread = reading->spread, both = sqrt(power);
+    const int confirming = rule->confirm_pairs / (reading->blocked ? SB_GATE_BLOCK : 1);
+    const double first = sb_detectable_effect(spread, units, reading->alpha, power);
+    double least =
+        fmax(first, sb_detectable_effect(spread, confirming, rule->alpha, power));
+    double most = fmax(sb_detectable_effect(spread, units, reading->alpha, both),
+                       sb_detectable_effect(spread, confirming, rule->alpha, both));
+    for (int step = 0; step < 50; step++) {
+        const double effect = (least + most) / 2;
+        const double found = sb_detection_power(spread, units, reading->alpha, effect) *
+                             sb_detection_power(spread, confirming, rule->alpha, effect);
+        *(found < power ? &least : &most) = effect;
+    }
+    return most;
+}
+
 // All but verdict, looks, and the levels. False where a time is none.
 static bool read_pairs(const struct sb_gate_rule *rule, const double *base,
-                       const double *head, int n, double *scratch,
+                       const double *head, const int *process, int n, double *scratch,
                        struct sb_gate_reading *reading)
 {
     double *d = scratch, *rest = scratch + n;
@@ -81,10 +136,12 @@ static bool read_pairs(const struct sb_gate_rule *rule, const double *base,
         d[i] = log(head[i] / base[i]);
         reading->ties += !(head[i] < base[i] || head[i] > base[i]);
     }
-    reading->autocorrelation = sb_rank_autocorrelation(d, n, rest);
+    reading->autocorrelation = autocorrelation(d, n, rest);
     // Not where neighbours are opposed: ranks then claim too little, which costs no safety.
-    reading->blocked = reading->autocorrelation > too_dependent;
-    const int units = reading->blocked ? average_blocks(d, n) : n;
+    reading->blocked = process || reading->autocorrelation > too_dependent;
+    const int units = process            ? average_processes(d, process, n)
+                      : reading->blocked ? average_blocks(d, n)
+                                         : n;
     reading->spread = sb_robust_spread(d, units, rest);
     const double limit = log1p(rule->tolerance), mirrored = log1p(-rule->tolerance);
     reading->p_slower = sb_signed_rank_p(d, units, limit, SB_GREATER, rest);
@@ -92,8 +149,7 @@ static bool read_pairs(const struct sb_gate_rule *rule, const double *base,
     reading->p_faster = sb_signed_rank_p(d, units, mirrored, SB_LESS, rest);
     reading->ratio = reading->blocked ? block_ratio(d, units, rest)
                                       : sb_paired_ratio(base, head, n, 0.95, rest);
-    reading->mde = rule->tolerance +
-                   sb_detectable_effect(reading->spread, units, reading->alpha, power);
+    reading->mde = rule->tolerance + least_found(rule, reading, units);
     return true;
 }
 
@@ -120,7 +176,8 @@ static enum sb_gate_verdict decide(const struct sb_gate_reading *reading, bool l
 }
 
 struct sb_gate_reading sb_gate_read(const struct sb_gate_rule *rule, const double *base,
-                                    const double *head, int n, bool over, double *scratch)
+                                    const double *head, const int *process, int n,
+                                    bool over, double *scratch)
 {
     const int pairs = n < rule->looks.rounds ? n : rule->looks.rounds;
     const bool last = over || pairs == rule->looks.rounds;
@@ -132,7 +189,7 @@ struct sb_gate_reading sb_gate_read(const struct sb_gate_rule *rule, const doubl
     const struct sb_looks until = {rule->looks.first, pairs};
     reading.looks = sb_look_count(&until) - !look;
     reading.alpha_spent = reading.alpha * reading.looks;
-    if (pairs > 0 && !read_pairs(rule, base, head, pairs, scratch, &reading))
+    if (pairs > 0 && !read_pairs(rule, base, head, process, pairs, scratch, &reading))
         reading.verdict = SB_GATE_INVALID;
     else if (look || over)
         reading.verdict = decide(&reading, last);
@@ -140,13 +197,14 @@ struct sb_gate_reading sb_gate_read(const struct sb_gate_rule *rule, const doubl
 }
 
 struct sb_gate_reading sb_gate_confirm(const struct sb_gate_rule *rule,
-                                       const double *base, const double *head, int n,
-                                       bool over, double *scratch)
+                                       const double *base, const double *head,
+                                       const int *process, int n, bool over,
+                                       double *scratch)
 {
     const int pairs = n < rule->confirm_pairs ? n : rule->confirm_pairs;
     struct sb_gate_reading reading = nothing_read(pairs);
     reading.alpha = reading.alpha_within = rule->alpha;
-    if (pairs > 0 && !read_pairs(rule, base, head, pairs, scratch, &reading))
+    if (pairs > 0 && !read_pairs(rule, base, head, process, pairs, scratch, &reading))
         reading.verdict = SB_GATE_INVALID;
     else if (pairs < rule->confirm_pairs)
         reading.verdict = over ? SB_GATE_INCONCLUSIVE : SB_GATE_OPEN;

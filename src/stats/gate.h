@@ -64,10 +64,12 @@ struct sb_gate_reading {
     double alpha_within; // … p_within below this
     double alpha_spent;  // of the family's alpha, by this variant's looks up to here
     double spread;       // of what was ranked (stats/power.h)
-    double mde;          // the least slowdown that is found with 90 %, tolerance included
-    double autocorrelation; // of ln(head / base) by ranks; NAN where all are equal
-    bool blocked;           // autocorrelation asked for blocks
-    int ties;               // pairs of equal times
+    double
+        mde; // the least slowdown that n pairs and a confirmation find with 90 %, tolerance included
+    double
+        autocorrelation; // of ln(head / base) by ranks, see below; NAN where all are equal
+    bool blocked;        // averages were ranked: autocorrelation or processes ask for it
+    int ties;            // pairs of equal times
 };
 
 // What pairs 0 .. n-1, in the order in which they were measured, say at this look. `over`: no
@@ -83,23 +85,30 @@ struct sb_gate_reading {
 // - INVALID where a time is not positive and finite.
 //
 // Where ln(head / base) is like what it was a pair ago, autocorrelation > 0.2, ranks of pairs would
-// claim too much. (Where it is opposed, as when the second batch of each pair is the cheaper and
-// base and head come first in turns, they claim too little, and nothing is done.) Then blocks of SB_GATE_BLOCK neighbours are averaged (the last
+// claim too much. Then blocks of SB_GATE_BLOCK neighbours are averaged (the last
 // takes what is left), and the n / SB_GATE_BLOCK averages are ranked in the pairs' place; ratio,
 // spread and mde are theirs too. That few pairs look dependent by chance costs some time:
 // averages of 15 or 30 pairs are too few for any verdict. Where neighbouring blocks still depend
 // on each other, the confirmation is what keeps alarms down.
-// Pairs beyond looks.rounds are not read. `scratch` has room for 3 n values.
+// Base and head come first in turns, and the second batch of a pair may be the cheaper: pairs of
+// each order are taken to their own median before they are correlated, or that would hide it.
+//
+// `process`: NULL where all pairs are of one process, which both sides share and whose level cancels.
+// Else the number of the processes that pair i is of, base's and head's own: the levels
+// of two processes do not cancel, so what is ranked is the average of each two (blocked).
+//
+// Pairs beyond looks.rounds are not read. `scratch` has room for 4 n values.
 struct sb_gate_reading sb_gate_read(const struct sb_gate_rule *rule, const double *base,
-                                    const double *head, int n, bool over,
-                                    double *scratch);
+                                    const double *head, const int *process, int n,
+                                    bool over, double *scratch);
 
 // A candidate measured anew: REGRESSION where p_slower < alpha over the first confirm_pairs
 // pairs, else NOT_CONFIRMED. With fewer it is OPEN, or INCONCLUSIVE if it is over. No share for
 // the family: every candidate has passed that already.
 struct sb_gate_reading sb_gate_confirm(const struct sb_gate_rule *rule,
-                                       const double *base, const double *head, int n,
-                                       bool over, double *scratch);
+                                       const double *base, const double *head,
+                                       const int *process, int n, bool over,
+                                       double *scratch);
 
 // With how many pairs a look lets an unchanged variant pass in nine of ten cases; more than
 // looks.rounds: expect it to be inconclusive. INT_MAX at tolerance 0.

@@ -40,6 +40,13 @@ double sb_detectable_effect(double spread, int n, double alpha, double power)
     return reach(alpha, power) * spread / sqrt(n);
 }
 
+double sb_detection_power(double spread, int n, double alpha, double effect)
+{
+    const double z =
+        effect * sqrt(n) / (price_of_ranks * spread) - sb_normal_critical(1 - 2 * alpha);
+    return spread > 0 ? 0.5 * erfc(-z / sqrt(2)) : effect > 0;
+}
+
 int sb_pairs_to_detect(double spread, double effect, double alpha, double power)
 {
     if (!(effect > 0))

@@ -17,6 +17,9 @@ double sb_robust_spread(const double *values, int n, double *scratch);
 // `alpha`: (z[1-alpha] + z[power]) 1.02 s / sqrt(n). `power` from 0.5 to below 1.
 double sb_detectable_effect(double spread, int n, double alpha, double power);
 
+// … the probability with which such an effect is found, by the same …
+double sb_detection_power(double spread, int n, double alpha, double effect);
+
 // … and how many differences an effect takes, at least 1; INT_MAX where it takes more, or is
 // not above 0.
 int sb_pairs_to_detect(double spread, double effect, double alpha, double power);

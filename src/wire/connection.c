@@ -220,7 +220,7 @@ bool sb_connection_open(struct sb_connection *line,
            start(line, &line->caps, err);
 }
 
-void sb_connection_close(struct sb_connection *line)
+void sb_connection_renew(struct sb_connection *line)
 {
     struct sb_text how = {0};
     const struct sb_frame request = {.head = sb_wire_call("close")};
@@ -231,6 +231,11 @@ void sb_connection_close(struct sb_connection *line)
     if (strstr(sb_text_get(&how), "killed"))
         sb_warn("the worker %s when it closed; nothing is lost", how.data);
     sb_text_free(&how);
+}
+
+void sb_connection_close(struct sb_connection *line)
+{
+    sb_connection_renew(line);
     if (line->params.count_folder)
         sb_dir_remove(line->params.count_folder);
     sb_arena_free(&line->arena);

@@ -20,6 +20,8 @@ struct sb_connection {
 bool sb_connection_open(struct sb_connection *line,
                         const struct sb_context_params *params, struct sb_error *err);
 void sb_connection_close(struct sb_connection *line);
+// Ends the worker; sb_connection_ensure starts the next one.
+void sb_connection_renew(struct sb_connection *line);
 
 bool sb_connection_lost(const struct sb_connection *line); // no worker runs
 // Starts a fresh one where none runs, with the timer in use. It must find the same driver: else its

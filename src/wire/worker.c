@@ -152,6 +152,11 @@ static int worker_workers(const void *self)
     return ((const struct worker *)self)->line.count;
 }
 
+static void worker_renew(void *self)
+{
+    sb_connection_renew(&((struct worker *)self)->line);
+}
+
 static bool worker_holds(void *self, uint32_t id, struct sb_error *err)
 {
     const struct remote_job *job = find(self, id, err);
@@ -352,5 +357,6 @@ const struct sb_runner_fns sb_runner_worker = {
     .release = worker_release,
     .holds = worker_holds,
     .workers = worker_workers,
+    .renew = worker_renew,
     .close = worker_close,
 };
