@@ -130,6 +130,26 @@ static void rows_are_matched_by_scene_and_id_in_any_order(void **state)
     assert_int_equal(runs.comparable, 3);
     assert_int_equal(runs.of[SB_RUN_LOST], 1);
     assert_int_equal(runs.of[SB_RUN_GAINED], 1);
+}
+
+static void a_variant_that_is_gone_is_worse_where_it_was_sound(void **state)
+{
+    (void)state;
+    add(&a, "point=1");
+    add(&b, "point=1");
+    struct sb_row *row = add(&a, "point=2");
+    compare();
+    assert_int_equal(runs.worse, 1);
+    row->status = "accuracy_only";
+    row->median_ms = NAN;
+    compare();
+    assert_int_equal(runs.worse, 1);
+    row->status = "compile_failed";
+    compare();
+    assert_int_equal(runs.worse, 0);
+    add(&b, "point=3");
+    compare();
+    assert_int_equal(runs.of[SB_RUN_GAINED], 1);
     assert_int_equal(runs.worse, 0);
 }
 
@@ -195,22 +215,30 @@ static void another_way_of_doing_it_compares_and_is_named(void **state)
     assert_false(runs.pair[0].unlike);
 }
 
-static void an_axis_that_one_run_alone_has_matches_every_value(void **state)
+static void an_axis_that_one_run_alone_has_is_named_and_matches_every_value(void **state)
 {
     (void)state;
-    const struct sb_axis knob = {.name = "knob",
-                                 .define = "KNOB",
-                                 .when = "",
-                                 .needs = "",
-                                 .help = "",
-                                 .kind = SB_QUALITY,
-                                 .max = 9};
+    struct sb_axis knob = {.name = "knob",
+                           .define = "KNOB",
+                           .when = "",
+                           .needs = "",
+                           .help = "",
+                           .kind = SB_QUALITY,
+                           .max = 9};
     assert_true(sb_axes_add(&b.axes, &knob, NULL));
+    knob.name = "other";
+    knob.define = "OTHER";
+    knob.when = "spot>0";
+    assert_true(sb_axes_add(&b.axes, &knob, NULL)); // moot: there is no spot light
     add(&a, "point=1");
     add(&b, "point=1,knob=3");
     compare();
     assert_int_equal(runs.of[SB_RUN_UNCHANGED], 1);
-    assert_string_equal(one_pair()->differs, "");
+    assert_string_equal(one_pair()->differs, "knob none | 3");
+    assert_false(one_pair()->unlike);
+    b.axes.row[b.axes.count - 2].kind = SB_SCENE;
+    compare();
+    assert_int_equal(one_pair()->verdict, SB_RUN_REFUSED);
 }
 
 // --- which compare --------------------------------------------------------------------------
@@ -364,6 +392,29 @@ static void times_that_come_and_go_are_lost_and_gained(void **state)
     assert_int_equal(one_pair()->verdict, SB_RUN_GAINED);
 }
 
+// What was to be decided as it was prepared is undecided where that failed.
+static void what_a_failed_row_left_open_is_no_other_condition(void **state)
+{
+    (void)state;
+    struct sb_row *row = add(&a, "glsl=330"), *other = add(&b, "");
+    a.variant[0].value[SB_AXIS_CONTEXT] = SB_CONTEXT_EGL;
+    b.variant[0].value[SB_AXIS_CONTEXT] = SB_CONTEXT_AUTO;
+    other->status = "compile_failed";
+    other->median_ms = NAN;
+    compare();
+    assert_int_equal(one_pair()->verdict, SB_RUN_LOST);
+    assert_string_equal(one_pair()->differs, "");
+    assert_int_equal(runs.worse, 1);
+    b.variant[0].value[SB_AXIS_GLSL] = SB_GLSL_100; // which was asked for
+    compare();
+    assert_int_equal(one_pair()->verdict, SB_RUN_REFUSED);
+    b.variant[0].value[SB_AXIS_GLSL] = SB_GLSL_AUTO;
+    *other = *row;
+    other->axes = &b.variant[0];
+    compare();
+    assert_int_equal(one_pair()->verdict, SB_RUN_REFUSED);
+}
+
 static void statuses_are_worse_by_their_exit_codes(void **state)
 {
     (void)state;
@@ -454,16 +505,18 @@ int main(void)
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
     const struct CMUnitTest tests[] = {
         TEST(rows_are_matched_by_scene_and_id_in_any_order),
+        TEST(a_variant_that_is_gone_is_worse_where_it_was_sound),
         TEST(scenes_are_told_apart_where_ids_are_not),
         TEST(a_row_has_one_partner),
         TEST(a_run_of_another_size_or_threads_is_refused_row_by_row),
         TEST(another_way_of_doing_it_compares_and_is_named),
-        TEST(an_axis_that_one_run_alone_has_matches_every_value),
+        TEST(an_axis_that_one_run_alone_has_is_named_and_matches_every_value),
         TEST(rows_of_other_conditions_are_refused_unless_forced),
         TEST(other_machines_are_refused_where_both_are_known),
         TEST(intervals_decide_where_they_lie),
         TEST(several_processes_count_by_their_medians),
         TEST(times_that_come_and_go_are_lost_and_gained),
+        TEST(what_a_failed_row_left_open_is_no_other_condition),
         TEST(statuses_are_worse_by_their_exit_codes),
         TEST(errors_are_worse_beyond_the_tolerance),
         TEST(what_is_refused_is_not_worse),

@@ -284,8 +284,36 @@ static void check_ends_with_1_where_something_became_worse(void **state)
     make_two_runs();
     check_answer("compare @/a @/b --check", 1, "1 hurt");
     check_answer("compare @/a @/b --check --tolerance 60%", 1, "0 hurt"); // dead_light
-    check_answer("compare @/b @/a --check", 0, "1 helped");
+    check_answer("compare @/b @/a --check", 1, "1 helped"); // point=5 is gone
     check_answer("compare @/a @/a --check", 0, "4 unchanged");
+}
+
+// One shader of two is broken between the runs: what it had decided, the version of GLSL and the
+// context, stands in its row all the same, and it compares.
+static void check_ends_with_1_where_a_shader_is_broken(void **state)
+{
+    (void)state;
+    static struct answer answer;
+    struct sb_csv csv;
+    const char *words = "run --context null -q --rounds 20 --sweep model=phong,blinn "
+                        "--set point=1 --shaders @/shaders ";
+    char line[512];
+    check_shell("cp -r " SB_SOURCE_DIR "/shaders @/shaders", 0, "");
+    snprintf(line, sizeof line, "%s -o @/whole", words);
+    run_program(&answer, line);
+    assert_int_equal(answer.code, 0);
+    check_shell("echo '#include \"nowhere.glsl\"' >@/shaders/model/blinn.glsl", 0, "");
+    snprintf(line, sizeof line, "%s -o @/broken", words);
+    check_answer(line, 2, "nowhere.glsl");
+    read_csv("broken/summary.csv", &csv);
+    assert_string_equal(csv_cell(&csv, 1, "status"), "ok");
+    assert_string_equal(csv_cell(&csv, 2, "status"), "bad_input");
+    assert_string_equal(csv_cell(&csv, 2, "glsl"), csv_cell(&csv, 1, "glsl"));
+    assert_string_equal(csv_cell(&csv, 2, "storage"), csv_cell(&csv, 1, "storage"));
+    sb_csv_free(&csv);
+    check_answer("compare @/whole @/broken --check --tolerance 60%", 1, " 1 lost, ");
+    check_answer("compare @/whole @/broken --check --tolerance 60%", 1, " 0 refused\n");
+    check_answer("compare @/broken @/whole --check --tolerance 60%", 0, " 1 gained, ");
 }
 
 static void two_runs_as_json_have_every_row_and_count(void **state)
@@ -296,7 +324,7 @@ static void two_runs_as_json_have_every_row_and_count(void **state)
     const json_t *list = json_object_get(json, "rows"), *pair = json_array_get(list, 1);
     assert_int_equal(json_array_size(list), 5);
     check_close(json_number_value(json_object_get(json, "tolerance")), .02, 0);
-    check_close(json_number_value(json_object_get(json, "worse")), 2, 0);
+    check_close(json_number_value(json_object_get(json, "worse")), 3, 0);
     assert_int_equal(
         json_integer_value(json_object_get(json_object_get(json, "counts"), "lost")), 2);
     check_close(json_number_value(json_object_get(pair, "ratio")), 1.5, 1e-12);
@@ -329,6 +357,14 @@ static void runs_of_other_conditions_are_refused_with_the_reason(void **state)
               " \"3\",/' @/told/run.json");
     assert_int_equal(answer.code, 0);
     check_answer("compare @/told @/a", 2, ": LP_NUM_THREADS 3 | none");
+    // As do the machines that its processes were on.
+    run_shell(
+        &answer,
+        "cp -r @/b @/moved && $SB run --resume @/moved -q --processes 2 >/dev/null && "
+        "sed -i '0,/\"cpus\": /s//&10/' @/moved/run.json");
+    assert_int_equal(answer.code, 0);
+    check_answer("compare @/moved @/b", 2, "its processes differ in processors: 10");
+    check_answer("compare @/moved @/b", 2, ": processors 10");
     run_program(&answer, RUN
                 "-o @/other --scene sphere --sweep spot=1..2 --cross model=phong,blinn");
     assert_int_equal(answer.code, 0);
@@ -412,6 +448,7 @@ int main(void)
         cmocka_unit_test(one_process_a_side_is_said_to_be_no_gate),
         cmocka_unit_test(rows_that_moved_without_a_change_are_counted),
         cmocka_unit_test(check_ends_with_1_where_something_became_worse),
+        cmocka_unit_test(check_ends_with_1_where_a_shader_is_broken),
         cmocka_unit_test(two_runs_as_json_have_every_row_and_count),
         cmocka_unit_test(runs_of_other_conditions_are_refused_with_the_reason),
         cmocka_unit_test(words_that_are_wrong_are_answered_in_one_line),

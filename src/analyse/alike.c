@@ -5,21 +5,14 @@
 
 #include "base/mem.h"
 
-static bool is_shorthand(const struct sb_axis *axis)
-{
-    for (int v = 0; v < axis->value_count; v++)
-        if (*axis->values[v].sets)
-            return true;
-    return false;
-}
-
 void sb_alike_make(struct sb_alike *alike, const struct sb_axes *axes,
                    const struct sb_row *row, int count, const bool *free_axes)
 {
     *alike = (struct sb_alike){.axes = axes, .row = row, .count = count};
     alike->moot = sb_alloc(((size_t)count + 1) * SB_AXIS_MAX * sizeof *alike->moot);
     for (int a = 0; a < axes->count; a++)
-        alike->free[a] = (free_axes && free_axes[a]) || is_shorthand(&axes->row[a]);
+        alike->free[a] =
+            (free_axes && free_axes[a]) || sb_axis_is_shorthand(&axes->row[a]);
     for (int i = 0; i < count; i++)
         for (int a = 0; a < axes->count; a++)
             alike->moot[i * SB_AXIS_MAX + a] = sb_variant_moot(axes, row[i].axes, a);
@@ -31,11 +24,6 @@ void sb_alike_free(struct sb_alike *alike)
     *alike = (struct sb_alike){0};
 }
 
-static bool same_text(const char *a, const char *b)
-{
-    return a == b || (a && b && strcmp(a, b) == 0);
-}
-
 bool sb_alike(const struct sb_alike *alike, int a, int b)
 {
     const struct sb_row *x = &alike->row[a], *y = &alike->row[b];
@@ -45,10 +33,10 @@ bool sb_alike(const struct sb_alike *alike, int a, int b)
         if (x->axes->value[i] != y->axes->value[i] && !alike->free[i] && !x_moot[i] &&
             !y_moot[i])
             return false;
-    return same_text(x->scene, y->scene) && same_text(x->renderer, y->renderer) &&
-           same_text(x->version, y->version) &&
-           same_text(x->timer_source, y->timer_source) &&
-           same_text(x->ci_kind, y->ci_kind);
+    return sb_text_same(x->scene, y->scene) && sb_text_same(x->renderer, y->renderer) &&
+           sb_text_same(x->version, y->version) &&
+           sb_text_same(x->timer_source, y->timer_source) &&
+           sb_text_same(x->ci_kind, y->ci_kind);
 }
 
 bool sb_row_has_time(const struct sb_row *row)

@@ -5,11 +5,6 @@
 #include "analyse/pareto.h"
 #include "base/mem.h"
 
-static bool same_text(const char *a, const char *b)
-{
-    return a == b || (a && b && strcmp(a, b) == 0);
-}
-
 bool sb_pareto_keeps_apart(const struct sb_axis *axis)
 {
     if (axis->kind == SB_PLATFORM || axis->kind == SB_SCENE || axis->flags & SB_APART)
@@ -34,14 +29,14 @@ static bool same_axes(const struct sb_axes *axes, const struct sb_row *a,
 bool sb_pareto_comparable(const struct sb_pareto_params *params, const struct sb_row *a,
                           const struct sb_row *b)
 {
-    if (!same_text(a->scene, b->scene) || !same_text(a->renderer, b->renderer) ||
-        !same_text(a->version, b->version) ||
-        !same_text(a->timer_source, b->timer_source) ||
-        !same_text(a->ci_kind, b->ci_kind))
+    if (!sb_text_same(a->scene, b->scene) || !sb_text_same(a->renderer, b->renderer) ||
+        !sb_text_same(a->version, b->version) ||
+        !sb_text_same(a->timer_source, b->timer_source) ||
+        !sb_text_same(a->ci_kind, b->ci_kind))
         return false;
     const bool analytic = params->analytic && a->scene && params->analytic(a->scene);
     // Other triangles of an analytic scene are other input for the same question.
-    return (analytic || same_text(a->input_hash, b->input_hash)) &&
+    return (analytic || sb_text_same(a->input_hash, b->input_hash)) &&
            same_axes(params->axes, a, b, analytic);
 }
 

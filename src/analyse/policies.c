@@ -40,11 +40,6 @@ static bool same_policy(const struct sb_axes *axes, const struct sb_row *a,
     return true;
 }
 
-static bool same_text(const char *a, const char *b)
-{
-    return a && b && strcmp(a, b) == 0;
-}
-
 struct member { // of a policy: a row, and the one that it is held against
     const struct sb_row *own, *uber;
 };
@@ -58,7 +53,8 @@ static double uber_setup(const struct member *member, int count)
         double longest = 0;
         bool first = true;
         for (int j = 0; j < count; j++)
-            if (same_text(member[i].uber->lit_hash, member[j].uber->lit_hash)) {
+            if (member[i].uber->lit_hash && // NULL: not known which
+                sb_text_same(member[i].uber->lit_hash, member[j].uber->lit_hash)) {
                 first &= j >= i;
                 longest = fmax(longest, sb_row_setup_ms(member[j].uber));
             }

@@ -63,6 +63,32 @@ static void compare_facts(const struct sb_runs_params *params,
             add_difference(difference, b->fact[i].name, NULL, b->fact[i].value, true);
 }
 
+// What a row that failed may have left undecided: the driver's version of GLSL, a storage.
+static bool is_open(const struct sb_row *row, const char *word)
+{
+    return !sb_row_has_time(row) && strcmp(word, "auto") == 0;
+}
+
+// A run whose suite does not declare an axis has no value there, not any.
+static bool is_lacking(const struct sb_run_words *words, int axis)
+{
+    return words->axis[axis] < 0;
+}
+
+static void compare_axes(const struct sb_run_match *match, int i, int j,
+                         struct difference *difference)
+{
+    for (int k = 0; k < match->axis_count; k++) {
+        const char *x = sb_run_word(&match->a, i, k), *y = sb_run_word(&match->b, j, k);
+        const bool moot = (!*x && !is_lacking(&match->a, k)) ||
+                          (!*y && !is_lacking(&match->b, k)); // goes with every value
+        if (!moot && !is_open(&match->a.side->row[i], x) &&
+            !is_open(&match->b.side->row[j], y))
+            add_difference(difference, match->axis[k]->name, x, y,
+                           sb_pareto_keeps_apart(match->axis[k]));
+    }
+}
+
 static void compare_conditions(const struct sb_runs_params *params,
                                const struct sb_run_match *match, int i, int j,
                                struct difference *difference)
@@ -72,12 +98,7 @@ static void compare_conditions(const struct sb_runs_params *params,
     add_difference(difference, "renderer", a->renderer, b->renderer, true);
     add_difference(difference, "version", a->version, b->version, true);
     add_difference(difference, "timer", a->timer_source, b->timer_source, true);
-    for (int k = 0; k < match->axis_count; k++) {
-        const char *x = sb_run_word(&match->a, i, k), *y = sb_run_word(&match->b, j, k);
-        if (*x && *y) // a moot axis goes with every value
-            add_difference(difference, match->axis[k]->name, x, y,
-                           sb_pareto_keeps_apart(match->axis[k]));
-    }
+    compare_axes(match, i, j, difference);
     if (a->input_hash && b->input_hash) // a row that failed has none
         add_difference(difference, "input hash", a->input_hash, b->input_hash, true);
     compare_facts(params, difference);
@@ -175,16 +196,24 @@ static void compare_pair(const struct sb_runs_params *params,
         compare_times(pair, params->tolerance);
 }
 
+// A variant that is gone, or has no time any more, is no success.
+static bool is_missed(const struct sb_run_pair *pair)
+{
+    return pair->verdict == SB_RUN_LOST && exit_code_of(pair->a) == 0;
+}
+
 static void count_pair(struct sb_runs *runs, const struct sb_run_pair *pair)
 {
     runs->of[pair->verdict]++;
+    runs->worse += is_missed(pair);
     if (!pair->a || !pair->b || pair->verdict == SB_RUN_REFUSED)
         return;
     runs->comparable++;
     runs->within += !isnan(pair->ratio.point) && !pair->between;
     runs->between += pair->between;
-    runs->worse += pair->verdict == SB_RUN_HURT || pair->error == SB_RUN_WORSE ||
-                   pair->status == SB_RUN_WORSE;
+    runs->worse +=
+        !is_missed(pair) && (pair->verdict == SB_RUN_HURT ||
+                             pair->error == SB_RUN_WORSE || pair->status == SB_RUN_WORSE);
     runs->moved += pair->source == SB_RUN_CODE_SAME &&
                    (pair->verdict == SB_RUN_HURT || pair->verdict == SB_RUN_HELPED);
 }

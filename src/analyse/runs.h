@@ -64,8 +64,8 @@ struct sb_runs {
     int comparable; // pairs that were not refused
     int within;     // of those, pairs with a ratio within one process a side,
     int between;    // and with one between processes
-    int worse;      // of those, pairs that are hurt, or worse in error or status
-    int moved;      // of those, pairs that are helped or hurt with the same source
+    int worse; // pairs that are hurt, worse in error or status, or lost by a sound row
+    int moved; // of those, pairs that are helped or hurt with the same source
     struct sb_arena arena;
 };
 
@@ -73,7 +73,9 @@ struct sb_runs {
 // but for those (and the scene) that all rows of A have with one value and all of B with another:
 // so a run on another driver, or of another size, is refused row by row, and not lost.
 // Refused are pairs of another scene, renderer, version, timer source, input hash, of another value
-// on an axis that sb_pareto_keeps_apart, or of runs with other facts. Rows are borrowed.
+// on an axis that sb_pareto_keeps_apart, or of runs with other facts. On an axis a row that failed may
+// say `auto`, which is no difference; a run that lacks an axis differs from every value. Rows are
+// borrowed.
 // *runs must be zeroed.
 void sb_runs_compare(const struct sb_runs_params *params, struct sb_runs *runs);
 void sb_runs_free(struct sb_runs *runs);

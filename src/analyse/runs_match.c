@@ -11,15 +11,6 @@ const char *sb_run_word(const struct sb_run_words *words, int i, int axis)
     return own < 0 ? "" : words->word[(size_t)i * SB_AXIS_MAX + (size_t)own];
 }
 
-// Its terms say the same, and more.
-static bool is_shorthand(const struct sb_axis *axis)
-{
-    for (int v = 0; v < axis->value_count; v++)
-        if (*axis->values[v].sets)
-            return true;
-    return false;
-}
-
 static void add_axes(struct sb_run_match *match, const struct sb_axes *axes)
 {
     for (int i = 0; i < axes->count; i++) {
@@ -27,7 +18,7 @@ static void add_axes(struct sb_run_match *match, const struct sb_axes *axes)
         while (k < match->axis_count &&
                strcmp(match->axis[k]->name, axes->row[i].name) != 0)
             k++;
-        if (k == match->axis_count && !is_shorthand(&axes->row[i]))
+        if (k == match->axis_count && !sb_axis_is_shorthand(&axes->row[i]))
             match->axis[match->axis_count++] = &axes->row[i];
     }
 }

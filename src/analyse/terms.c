@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "analyse/alike.h"
 #include "analyse/terms.h"
 
 const char *const sb_term_verdict_words[SB_TERM_VERDICT_COUNT] = {
@@ -125,17 +126,12 @@ static enum place place_of(const struct pricing *p, const struct sb_row *row, in
                        : OTHER;
 }
 
-static bool same_text(const char *a, const char *b)
-{
-    return a == b || (a && b && strcmp(a, b) == 0);
-}
-
 static bool same_but_terms(const struct pricing *p, const struct sb_row *a,
                            const struct sb_row *b)
 {
-    if (!same_text(a->scene, b->scene) || !same_text(a->renderer, b->renderer) ||
-        !same_text(a->version, b->version) ||
-        !same_text(a->timer_source, b->timer_source))
+    if (!sb_text_same(a->scene, b->scene) || !sb_text_same(a->renderer, b->renderer) ||
+        !sb_text_same(a->version, b->version) ||
+        !sb_text_same(a->timer_source, b->timer_source))
         return false;
     for (int i = 0, t = 0; i < p->axes->count; i++) {
         if (t < p->term_count && p->term[t] == i)
@@ -146,17 +142,10 @@ static bool same_but_terms(const struct pricing *p, const struct sb_row *a,
     return true;
 }
 
-static bool has_time(const struct sb_row *row)
-{
-    const enum sb_status status = row->status ? sb_status_find(row->status) : SB_INTERNAL;
-    return status != SB_STATUS_COUNT && sb_status_rows[status].exit_code == 0 &&
-           row->median_ms > 0;
-}
-
 static bool is_first_of_scene(const struct pricing *p, const struct sb_row *row)
 {
     for (const struct sb_row *other = p->row; other < row; other++)
-        if (same_text(other->scene, row->scene))
+        if (sb_text_same(other->scene, row->scene))
             return false;
     return true;
 }
@@ -169,7 +158,7 @@ static struct sb_term_change change_of(const struct pricing *p, const struct sb_
         return change;
     change.max_err = row->max_err;
     change.flip_mean = row->flip_mean;
-    if (!from || !has_time(from) || !has_time(row))
+    if (!from || !sb_row_has_time(from) || !sb_row_has_time(row))
         return change;
     change.paired = is_first_of_scene(p, from) && !isnan(row->ratio);
     if (change.paired) {

@@ -110,7 +110,7 @@ static bool build_program(struct building *building, enum sb_role role,
            sb_reduce_sources(&source[VERTEX], &source[FRAGMENT], err);
 }
 
-static bool same_text(const struct sb_glsl_source *a, const struct sb_glsl_source *b)
+static bool same_source(const struct sb_glsl_source *a, const struct sb_glsl_source *b)
 {
     return (a->text == NULL) == (b->text == NULL) &&
            (!a->text || (a->hash == b->hash && strcmp(a->text, b->text) == 0));
@@ -124,7 +124,7 @@ static int find_built(const struct sb_assembly *assembly, enum sb_role role,
         const struct sb_built *built = &assembly->built[i];
         bool same = built->role == role;
         for (int stage = 0; same && stage < STAGES; stage++)
-            same = same_text(&built->source[stage], &source[stage]);
+            same = same_source(&built->source[stage], &source[stage]);
         if (same)
             return i;
     }
@@ -280,6 +280,8 @@ static bool build_lit(const struct sb_assemble_params *params,
     building.version = decide(params, &calls->variant, err);
     if (!building.version)
         return false;
+    if (program == choice->program) // before its programs are built: that may fail
+        take_decisions(assembly, choice, &calls->variant);
     assembly->lit_per_vertex = calls->variant.value[SB_AXIS_STAGE] == SB_STAGE_VERTEX;
     assembly->lights_fixed = sb_lights_are_fixed(&calls->variant);
     building.defines.left_out =
@@ -388,7 +390,6 @@ static bool build_all(const struct sb_assemble_params *params,
     for (int i = 0; i < choice->program_count; i++)
         if (!build_lit(params, assembly, choice, &choice->program[i], &place[i], err))
             return false;
-    take_decisions(assembly, choice, &choice->program[0].calls.variant);
     assembly->undefined = sb_platform_undefined(&assembly->job.variant);
     if (!params->rows && !build_others(params, assembly, choice->whole, err))
         return false;
@@ -466,36 +467,4 @@ void sb_assembly_explain(const struct sb_assembly *assembly,
         sb_glsl_explain(&source[prepared->failed_stage - SB_STAGE_VERT], log, text);
     else // of linking: speaks of several stages, by name
         sb_text_add(text, log);
-}
-
-void sb_caps_ideal(bool gles, struct sb_caps *caps)
-{
-    *caps = (struct sb_caps){
-        .context = "null",
-        .vendor = "none",
-        .renderer = "ideal",
-        .gles = gles,
-        .api_version = gles ? 320 : 460,
-        .glsl = gles ? 320 : 460,
-        .vertex_uniform_components = 65536,
-        .fragment_uniform_components = 65536,
-        .uniform_block_size = 65536,
-        .varying_components = 128,
-        .texture_units = 32,
-        .combined_texture_units = 192,
-        .texture_size = 16384,
-        .cube_map_size = 16384,
-        .array_layers = 2048,
-        .renderbuffer_size = 16384,
-        .samples = 32,
-        .colour_float = 1,
-        .colour_half = 1,
-        .elapsed_bits = 64,
-        .timestamp_bits = 64,
-        .disjoint = gles,
-        .samples_passed = !gles,
-        .program_binary = 1,
-        .geometry_shader = 1,
-        .cube_map_array = 1,
-    };
 }

@@ -49,6 +49,14 @@ const struct sb_axes *sb_axes_builtin(void)
     return &builtin;
 }
 
+bool sb_axis_is_shorthand(const struct sb_axis *axis)
+{
+    for (int i = 0; i < axis->value_count; i++)
+        if (*axis->values[i].sets)
+            return true;
+    return false;
+}
+
 int sb_axes_find(const struct sb_axes *axes, const char *name)
 {
     for (int i = 0; i < axes->count; i++)

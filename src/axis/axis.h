@@ -91,6 +91,9 @@ const struct sb_axes *sb_axes_builtin(void);
 // rows only, so one pass in table order settles what is moot.
 bool sb_axes_add(struct sb_axes *axes, const struct sb_axis *row, struct sb_error *err);
 
+// Do its words stand for values of other axes? Those then say the same, and more.
+bool sb_axis_is_shorthand(const struct sb_axis *axis);
+
 // Place of the axis called `name`, or -1.
 int sb_axes_find(const struct sb_axes *axes, const char *name);
 

@@ -22,14 +22,6 @@ bool sb_variant_given(const struct sb_variant *v, int axis)
     return v->given[axis / 64] >> axis % 64 & 1;
 }
 
-static bool is_shorthand(const struct sb_axis *axis)
-{
-    for (int i = 0; i < axis->value_count; i++)
-        if (*axis->values[i].sets)
-            return true;
-    return false;
-}
-
 static bool is_implemented(const struct sb_axis *axis, double value)
 {
     if (axis->values)
@@ -181,7 +173,7 @@ bool sb_variant_equal(const struct sb_axes *axes, const struct sb_variant *a,
                       const struct sb_variant *b)
 {
     for (int i = 0; i < axes->count; i++)
-        if (a->value[i] != b->value[i] && !is_shorthand(&axes->row[i]))
+        if (a->value[i] != b->value[i] && !sb_axis_is_shorthand(&axes->row[i]))
             return false;
     return true;
 }
@@ -190,7 +182,7 @@ bool sb_variant_same_class(const struct sb_axes *axes, const struct sb_variant *
                            const struct sb_variant *b)
 {
     for (int i = 0; i < axes->count; i++)
-        if (a->value[i] != b->value[i] && !is_shorthand(&axes->row[i]) &&
+        if (a->value[i] != b->value[i] && !sb_axis_is_shorthand(&axes->row[i]) &&
             axes->row[i].kind != SB_IMPLEMENTATION)
             return false;
     return true;
@@ -200,7 +192,7 @@ uint64_t sb_variant_hash(const struct sb_axes *axes, const struct sb_variant *v)
 {
     uint64_t hash = SB_HASH_START;
     for (int i = 0; i < axes->count; i++)
-        if (!is_shorthand(&axes->row[i]))
+        if (!sb_axis_is_shorthand(&axes->row[i]))
             hash = sb_hash(hash, &v->value[i], sizeof v->value[i]);
     return hash;
 }

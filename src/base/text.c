@@ -90,6 +90,11 @@ char *sb_number_text(double value, char buffer[static 32])
     return buffer;
 }
 
+bool sb_text_same(const char *a, const char *b)
+{
+    return a == b || (a && b && strcmp(a, b) == 0);
+}
+
 bool sb_parse_number(const char *text, double *value)
 {
     // strtod would also take blanks, "inf", "nan" and hexadecimal.

@@ -26,5 +26,8 @@ char *sb_number_text(double value, char buffer[static 32]);
 // A whole string as a finite number: false on empty, trailing bytes, inf, nan or overflow.
 bool sb_parse_number(const char *text, double *value);
 
+// Equal, or both NULL?
+bool sb_text_same(const char *a, const char *b);
+
 // Width of UTF-8 text in columns of a terminal, counting code points.
 int sb_text_width(const char *text);

@@ -34,12 +34,6 @@ static bool is_precision(const struct sb_axis *axis)
     return strncmp(axis->name, "p_", 2) == 0 || strcmp(axis->name, "precision") == 0;
 }
 
-// Axes that set nothing but others would be told twice.
-static bool is_shorthand(const struct sb_axis *axis)
-{
-    return axis->value_count > 0 && axis->values[0].sets[0] != '\0';
-}
-
 // The axes that the two differ in. False: there are none whose code has a price of its own.
 static bool find_guards(const struct sb_axes *axes, const struct sb_price *price,
                         struct sb_text *guards)
@@ -49,7 +43,8 @@ static bool find_guards(const struct sb_axes *axes, const struct sb_price *price
     bool priced = false;
     for (int a = 0; a < axes->count; a++) {
         const struct sb_axis *axis = &axes->row[a];
-        if (naive->value[a] == robust->value[a] || is_shorthand(axis))
+        // What stands for other axes would be told twice.
+        if (naive->value[a] == robust->value[a] || sb_axis_is_shorthand(axis))
             continue;
         sb_text_printf(guards, "%s%s", guards->length ? " " : "", axis->name);
         priced = priced || (axis->kind != SB_PLATFORM && !is_precision(axis) &&

@@ -7,6 +7,7 @@
 
 #include "analyse/runs.h"
 #include "base/file.h"
+#include "base/log.h"
 #include "cli/compare.h"
 #include "cli/report.h"
 #include "results/store.h"
@@ -39,22 +40,61 @@ struct comparison {
 
 // --- input ----------------------------------------------------------------------------------
 
+static const char *fact_text(const json_t *process, int i, struct sb_arena *arena)
+{
+    const json_t *value =
+        json_object_get(json_object_get(process, fact_rows[i].object), fact_rows[i].key);
+    if (json_is_integer(value))
+        return sb_arena_printf(arena, "%" PRId64, (int64_t)json_integer_value(value));
+    return sb_arena_strdup(arena, json_is_string(value) ? json_string_value(value) : "");
+}
+
+// What one platform was given, and another was not, the axes of the rows say.
+static bool is_said(const json_t *run, int i)
+{
+    return !json_object_get(run, "platforms") ||
+           strcmp(fact_rows[i].object, "machine") == 0;
+}
+
+// Of all processes: "one" or, where they differ, which is said, "one and other".
+static const char *load_fact(const struct run *run, const json_t *json, int i,
+                             struct sb_arena *arena)
+{
+    const json_t *processes = json_object_get(json, "processes"), *process;
+    const char **seen =
+        sb_arena_alloc(arena, (json_array_size(processes) + 1) * sizeof *seen);
+    int count = 0;
+    struct sb_text all = {0};
+    size_t p;
+    json_array_foreach(processes, p, process)
+    {
+        int at = 0;
+        const char *text = fact_text(process, i, arena);
+        while (at < count && strcmp(seen[at], text) != 0)
+            at++;
+        if (at == count)
+            seen[count++] = text;
+    }
+    for (int k = 0; k < count; k++)
+        sb_text_printf(&all, "%s%s", k ? " and " : "",
+                       *seen[k] || count == 1 ? seen[k] : "none");
+    const char *text = sb_arena_strdup(arena, sb_text_get(&all));
+    sb_text_free(&all);
+    if (count > 1 && is_said(json, i))
+        sb_warn("%s: its processes differ in %s: %s", run->compared.path,
+                fact_rows[i].name, text);
+    return text;
+}
+
 // A folder of which only summary.csv is left has no facts.
 static void load_facts(struct run *run, struct sb_arena *arena)
 {
     struct sb_error ignored;
     json_t *json = sb_store_read_run(run->compared.folder, &ignored);
-    const json_t *process = json_array_get(json_object_get(json, "processes"), 0);
-    for (int i = 0; process && i < FACTS; i++) {
-        const json_t *value = json_object_get(
-            json_object_get(process, fact_rows[i].object), fact_rows[i].key);
-        const char *text = "";
-        if (json_is_string(value))
-            text = sb_arena_strdup(arena, json_string_value(value));
-        else if (json_is_integer(value))
-            text = sb_arena_printf(arena, "%" PRId64, (int64_t)json_integer_value(value));
-        run->fact[run->fact_count++] = (struct sb_run_fact){fact_rows[i].name, text};
-    }
+    const size_t processes = json_array_size(json_object_get(json, "processes"));
+    for (int i = 0; processes > 0 && i < FACTS; i++)
+        run->fact[run->fact_count++] =
+            (struct sb_run_fact){fact_rows[i].name, load_fact(run, json, i, arena)};
     json_decref(json);
 }
 

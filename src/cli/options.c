@@ -51,7 +51,7 @@ static const struct option options_table[] = {
     {"scene",    0,   "NAME",       PLAN,             TEXT,       AT(scene),    "the scene to draw (shadebench list scenes)"},
     {"preset",   0,   "NAME,…",     PLAN,             TEXT,       AT(preset),   "start from a preset, or from several side by side (shadebench list presets)"},
     {"output",   'o', "DIR",        RUN|VERIFY|GATE,  TEXT,       AT(output),   "results folder; default: shadebench-results/SUITE-DATE, gate-DATE or verify-DATE"},
-    {"resume",   0,   "DIR",        RUN,              TEXT,       AT(resume),   "go on with an interrupted run, or with its next process"},
+    {"resume",   0,   "DIR",        RUN,              TEXT,       AT(resume),   "go on with an interrupted run, or with its next process, on all its platforms"},
     {"images",   0,   NULL,         RUN,              FLAG,       AT(images),   "write a PNG of each variant, of its shadow maps, and a contact sheet"},
     {"payback",  0,   NULL,         RUN,              FLAG,       AT(payback),  "policies: draw, too, the frames after which each has paid for its programs"},
     {"ablate",   0,   NULL,         RUN,              FLAG,       AT(ablate),   "leave out each effect of each variant alone: what it costs, and who would see it go"},
@@ -74,7 +74,7 @@ static const struct option options_table[] = {
     {"ablation", 0,   NULL,         COMPARE,          FLAG,       AT(ablation), "what each effect costs, and who would see it go, from a run --ablate"},
     {"tolerance",0,   "SHARE",      COMPARE,          TEXT,       AT(tolerance),"two runs: what is no change, as 2% or 0.02 [2%]"},
     {"force",    0,   NULL,         COMPARE,          FLAG,       AT(force),    "two runs: compare, and mark, rows of other conditions, too"},
-    {"check",    0,   NULL,         COMPARE,          FLAG,       AT(check),    "two runs: exit code 1 where a row is hurt, or its error or status became worse"},
+    {"check",    0,   NULL,         COMPARE,          FLAG,       AT(check),    "two runs: exit code 1 where a row is hurt or gone, or its error or status became worse"},
     {"ms",       0,   "N,…",        FIT,              TEXT,       AT(ms),       "frame times in which lights are to fit; default: powers of two among those measured"},
     {"programs", 0,   "K",          PLANNER,          TEXT,       AT(programs), "so many programs at most [8]"},
     {"demands",  0,   "FILE",       PLANNER,          TEXT,       AT(demands),  "CSV of demands: dir,point,spot,area,weight"},
@@ -288,6 +288,7 @@ bool sb_options_parse(const struct sb_command *command, int argc, char **argv,
         } else if (options->word_count == SB_WORDS_MAX) {
             return sb_fail(err, SB_USAGE, "more than %d words", SB_WORDS_MAX);
         } else {
+            options->word_at[options->word_count] = i;
             options->word[options->word_count++] = argv[i];
         }
     }

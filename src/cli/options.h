@@ -39,6 +39,7 @@ struct sb_options {
     struct sb_assignments base_set, head_set, base_env, head_env;
     struct sb_outputs write;
     const char *word[SB_WORDS_MAX]; // what is no option
+    int word_at[SB_WORDS_MAX];      // where it stands among the arguments
     int word_count;
 };
 

@@ -8,7 +8,10 @@
 #include "base/process.h"
 #include "base/words.h"
 #include "measure/interrupt.h"
+#include "measure/record.h"
+#include "measure/run.h"
 #include "results/rows.h"
+#include "results/store.h"
 
 // --- which there are -----------------------------------------------------------------------------
 
@@ -83,14 +86,17 @@ bool sb_platforms_keep(struct sb_suite *suite, const char *label, struct sb_erro
 
 // --- running them --------------------------------------------------------------------------------
 
-// Options that concern the whole, not its runs; those with a value take the next word along.
+// Options that concern the whole, not its runs, or that each of them is given below; those with a value
+// take the next word along.
 static bool is_left_out(const char *word, bool *takes_value)
 {
     static const struct {
         const char *name;
         bool value;
-    } own[] = {{"-o", true},      {"--output", true}, {"--write", true},
-               {"--json", false}, {"--check", false}, {"--fail-on-inconclusive", false}};
+    } own[] = {{"-o", true},       {"--output", true}, {"--write", true},
+               {"--json", false},  {"--check", false}, {"--fail-on-inconclusive", false},
+               {"--data", true},   {"--worker", true}, {"--worker-limit", true},
+               {"--quiet", false}, {"-q", false}};
     for (size_t i = 0; i < sizeof own / sizeof *own; i++) {
         const size_t length = strlen(own[i].name);
         if (strcmp(word, own[i].name) == 0) {
@@ -106,36 +112,112 @@ static bool is_left_out(const char *word, bool *takes_value)
     return false;
 }
 
-static const char **words_of(const struct sb_platforms_run *run, const char *program,
-                             const char *label, struct sb_arena *arena)
+struct words {
+    const char **word;
+    int count;
+    struct sb_arena *arena;
+};
+
+static void add_word(struct words *words, const char *word)
 {
+    words->word[words->count++] = sb_arena_strdup(words->arena, word);
+}
+
+// What each run is given, whether it is begun or gone on with.
+static void add_common(struct words *words, const struct sb_options *options)
+{
+    const struct {
+        const char *name, *value;
+    } texts[] = {{"--data", options->data},
+                 {"--worker", options->worker},
+                 {"--worker-limit", options->worker_limit}};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+        if (texts[i].value) {
+            add_word(words, texts[i].name);
+            add_word(words, texts[i].value);
+        }
+    if (options->quiet)
+        add_word(words, "--quiet");
+}
+
+// The words that the whole was begun with. The suite may have changed since, or lie elsewhere: what
+// is begun later takes the copy. They come last, for a `--` may be among them.
+static void add_arguments(struct words *words, const struct sb_platforms_run *run)
+{
+    const struct sb_options *options = run->options;
     const size_t count = json_array_size(run->arguments);
-    const char **words = sb_arena_alloc(arena, (count + 8) * sizeof *words);
-    int n = 0;
-    words[n++] = sb_arena_strdup(arena, program);
-    words[n++] = sb_arena_strdup(arena, "run");
     for (size_t i = 0; i < count; i++) {
         const char *word = json_string_value(json_array_get(run->arguments, i));
         bool takes_value = false;
-        if (!is_left_out(word, &takes_value))
-            words[n++] = sb_arena_strdup(arena, word);
+        if (options->resume && options->word_count && (int)i == options->word_at[0])
+            add_word(words, run->suite_file);
+        else if (!is_left_out(word, &takes_value))
+            add_word(words, word);
         i += takes_value;
     }
-    words[n++] = sb_arena_strdup(arena, "--platform");
-    words[n++] = sb_arena_strdup(arena, label);
-    words[n++] = sb_arena_strdup(arena, "-o");
-    words[n++] = sb_arena_printf(arena, "%s/%s", run->dir, label);
-    return words;
+}
+
+// The whole may have been told otherwise than the run was.
+static void add_settings(struct words *words, const struct sb_platforms_run *run,
+                         const char *dir)
+{
+    struct sb_error ignored;
+    json_t *record = sb_store_read_run(dir, &ignored);
+    json_t *now = sb_settings_json(&run->suite->measure);
+    const json_t *was = json_object_get(record, "measure");
+    const char *name;
+    json_t *value;
+    json_object_foreach(now, name, value)
+    {
+        char number[32];
+        const double wanted = json_number_value(value);
+        if (was && wanted != json_number_value(json_object_get(was, name)))
+            words->word[words->count++] = sb_arena_printf(words->arena, "--%s=%s", name,
+                                                          sb_number_text(wanted, number));
+    }
+    json_decref(now);
+    json_decref(record);
+}
+
+static const char *const *words_of(const struct sb_platforms_run *run,
+                                   const char *program, const char *label,
+                                   struct sb_arena *arena)
+{
+    const size_t room =
+        json_array_size(run->arguments) + (size_t)sb_measure_row_count + 16;
+    const char *dir = sb_path_join(arena, run->dir, label);
+    struct words words = {sb_arena_alloc(arena, room * sizeof(char *)), 0, arena};
+    add_word(&words, program);
+    add_word(&words, "run");
+    if (run->options->resume && sb_file_exists(sb_path_join(arena, dir, "run.json"))) {
+        add_word(&words, "--resume");
+        add_word(&words, dir);
+        add_common(&words, run->options);
+        if (run->options->in_process)
+            add_word(&words, "--in-process");
+        add_settings(&words, run, dir);
+    } else {
+        add_word(&words, "--platform");
+        add_word(&words, label);
+        add_word(&words, "-o");
+        add_word(&words, dir);
+        add_common(&words, run->options);
+        add_arguments(&words, run);
+    }
+    return words.word;
 }
 
 static int run_one(const struct sb_platforms_run *run, const char *program,
-                   const char *label)
+                   const char *label, const struct sb_lifeline *line)
 {
     struct sb_arena arena = {0};
     struct sb_error err = {0};
     int exit_code = -1;
+    const char *const setting[] = {line->setting};
     const struct sb_process_params params = {
         .words = words_of(run, program, label, &arena),
+        .environment = setting,
+        .environment_count = 1,
         .output = run->quiet_output ? SB_STREAM_DROPPED : SB_STREAM_KEPT,
     };
     const bool ended = sb_process_run(&params, &exit_code, &err);
@@ -162,6 +244,7 @@ static void take_rows(const struct sb_platforms_run *run, const char *label,
     }
     for (int i = 0; i < own->count; i++) {
         struct sb_variant *axes = sb_arena_alloc(&rows->arena, sizeof *axes);
+        rows->row = sb_grow(rows->row, rows->count, &rows->room, sizeof *rows->row);
         struct sb_row *row = &rows->row[rows->count++];
         *axes = own->variant[i];
         *row = own->row[i];
@@ -193,30 +276,60 @@ static int write_summary(const struct sb_platforms_run *run,
     return good ? 0 : sb_cli_fail(&err);
 }
 
+// A folder of a whole is begun once, and then gone on with.
+static bool begin(const struct sb_platforms_run *run, struct sb_error *err)
+{
+    struct sb_arena arena = {0};
+    bool good = sb_dir_make(run->dir, err);
+    if (good && (sb_file_exists(sb_path_join(&arena, run->dir, "run.json")) ||
+                 sb_file_exists(sb_path_join(&arena, run->dir, "summary.csv"))))
+        good = sb_fail(err, SB_BAD_INPUT,
+                       "%s holds results already; name another folder with -o, or go on "
+                       "with it: run --resume %s",
+                       run->dir, run->dir);
+    good =
+        good && (!run->suite_file || sb_run_copy_suite(run->suite_file, run->dir, err));
+    sb_arena_free(&arena);
+    return good;
+}
+
+// Rows of a platform whose turn does not come are those of an earlier start.
+static int run_all(const struct sb_platforms_run *run, const char *program,
+                   const struct sb_lifeline *line, struct sb_platforms_rows *rows)
+{
+    const int interrupted = sb_status_rows[SB_INTERRUPTED].exit_code;
+    struct sb_error err = {0};
+    int code = 0;
+    for (int i = 0; i < run->platforms->count; i++) {
+        const char *label = run->platforms->label[i];
+        rows->interrupted |= sb_interrupted();
+        if (!rows->interrupted) {
+            sb_info("platform %d of %d: %s", i + 1, run->platforms->count, label);
+            const int one = run_one(run, program, label, line);
+            rows->interrupted = one == interrupted;
+            code = sb_exit_code_worse(code, one);
+            if (!sb_platforms_record(run, &err))
+                code = sb_exit_code_worse(code, sb_cli_fail(&err));
+        }
+        take_rows(run, label, rows);
+    }
+    rows->interrupted |= sb_interrupted();
+    if (!rows->interrupted)
+        return code;
+    sb_warn("interrupted; go on with: shadebench run --resume %s", run->dir);
+    return sb_exit_code_worse(code, interrupted);
+}
+
 int sb_platforms_run(const struct sb_platforms_run *run, struct sb_platforms_rows *rows)
 {
     struct sb_error err = {0};
+    struct sb_lifeline line;
     const char *program = sb_executable(&rows->arena, &err);
-    int code = 0;
-    if (!program || !sb_dir_make(run->dir, &err))
+    if (!program || (!run->options->resume && !begin(run, &err)) ||
+        !sb_platforms_record(run, &err) || !sb_lifeline_open(&line, &err))
         return sb_cli_fail(&err);
-    if (sb_file_exists(sb_path_join(&rows->arena, run->dir, "summary.csv"))) {
-        sb_fail(&err, SB_BAD_INPUT,
-                "%s holds results already; name another folder with -o", run->dir);
-        return sb_cli_fail(&err);
-    }
-    rows->row = sb_alloc(((size_t)run->suite->entry_count + 1) * sizeof *rows->row);
-    for (int i = 0; i < run->platforms->count; i++) {
-        const char *label = run->platforms->label[i];
-        if (sb_interrupted()) {
-            sb_warn("%s was not run; do so with --platform %s", label, label);
-            code = sb_exit_code_worse(code, sb_status_rows[SB_INTERRUPTED].exit_code);
-            continue;
-        }
-        sb_info("platform %d of %d: %s", i + 1, run->platforms->count, label);
-        code = sb_exit_code_worse(code, run_one(run, program, label));
-        take_rows(run, label, rows);
-    }
+    const int code = run_all(run, program, &line, rows);
+    sb_lifeline_close(&line);
     return sb_exit_code_worse(code, write_summary(run, rows));
 }
 

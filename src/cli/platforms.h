@@ -24,15 +24,22 @@ struct sb_platforms_run {
     const struct sb_suite *suite;
     const struct sb_platforms *platforms;
     const char *dir;
-    const json_t *arguments; // of this run, behind the word `run`
-    bool quiet_output;       // the runs' tables are not wanted on stdout
+    const char *suite_file;           // NULL: none
+    const struct sb_options *options; // with --resume those of the first start, too
+    const json_t *arguments;          // of this run, behind the word `run`
+    bool quiet_output;                // the runs' tables are not wanted on stdout
 };
 struct sb_platforms_rows { // of all runs, in the order of the platforms
     struct sb_row *row;
-    int count;
+    int count, room;
+    bool interrupted; // this process, or a run: the rest was not begun
     struct sb_arena arena;
 };
-// Runs them one after another and puts dir/summary.csv together. Their worst exit code. `rows` must be
-// zeroed; free also after failure.
+// Runs them one after another, and puts dir/summary.csv and dir/run.json together; the suite's copy is
+// there, too. With --resume each is gone on with, or begun. Their worst exit code. `rows`
+// must be zeroed; free also after failure.
 int sb_platforms_run(const struct sb_platforms_run *run, struct sb_platforms_rows *rows);
 void sb_platforms_rows_free(struct sb_platforms_rows *rows);
+
+// run.json of the whole: how far each platform has come, and the processes and entries of all.
+bool sb_platforms_record(const struct sb_platforms_run *run, struct sb_error *err);

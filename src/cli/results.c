@@ -27,6 +27,69 @@ static void load_axes(const struct sb_options *options, const char *folder,
         sb_warn("%s; only built-in axes are known", err.text);
 }
 
+struct sb_run_progress sb_run_progress(const json_t *run)
+{
+    const json_t *processes = json_object_get(run, "processes"), *process;
+    const json_t *measure = json_object_get(run, "measure");
+    struct sb_run_progress progress = {
+        .started = (int)json_array_size(processes),
+        .wanted = (int)json_number_value(json_object_get(measure, "processes")),
+    };
+    size_t i;
+    json_array_foreach(processes, i, process)
+    {
+        progress.stopped = !json_is_true(json_object_get(process, "complete"));
+        progress.complete += !progress.stopped;
+    }
+    return progress;
+}
+
+bool sb_run_is_whole(const json_t *run)
+{
+    const struct sb_run_progress progress = sb_run_progress(run);
+    return progress.complete > 0 && !progress.stopped &&
+           progress.complete >= progress.wanted;
+}
+
+const char *sb_results_whole(const char *folder, struct sb_arena *arena)
+{
+    struct sb_error ignored;
+    char *parent = sb_arena_strdup(arena, folder);
+    size_t length = strlen(parent), i;
+    while (length > 1 && parent[length - 1] == '/')
+        parent[--length] = '\0';
+    char *slash = strrchr(parent, '/');
+    const char *name = slash ? slash + 1 : parent, *whole = folder;
+    const char *above = !slash ? "." : slash == parent ? "/" : parent;
+    if (slash)
+        *slash = '\0';
+    if (!sb_file_exists(sb_path_join(arena, above, "run.json")))
+        return folder;
+    json_t *run = sb_store_read_run(above, &ignored);
+    const json_t *platform;
+    json_array_foreach(json_object_get(run, "platforms"), i, platform)
+    {
+        const char *label = json_string_value(json_object_get(platform, "platform"));
+        if (label && strcmp(label, name) == 0)
+            whole = above;
+    }
+    json_decref(run);
+    return whole;
+}
+
+static void warn_platforms(const char *folder, const json_t *platforms)
+{
+    int whole = 0;
+    size_t i;
+    const json_t *platform;
+    json_array_foreach(platforms, i, platform) whole +=
+        json_is_true(json_object_get(platform, "complete"));
+    if (whole < (int)json_array_size(platforms))
+        sb_warn("%s: the run is incomplete: %d of its %d platforms were measured to the "
+                "end; go on with: shadebench run --resume %s",
+                folder, whole, (int)json_array_size(platforms), folder);
+}
+
 // What is missing of a run, from its record.
 static void warn_incomplete(const char *folder, struct sb_arena *arena)
 {
@@ -34,28 +97,21 @@ static void warn_incomplete(const char *folder, struct sb_arena *arena)
     if (!sb_file_exists(sb_path_join(arena, folder, "run.json")))
         return;
     json_t *run = sb_store_read_run(folder, &ignored);
-    const json_t *processes = json_object_get(run, "processes"), *process;
-    const json_t *measure = json_object_get(run, "measure");
-    const int started = (int)json_array_size(processes);
-    const int wanted = (int)json_number_value(json_object_get(measure, "processes"));
-    int complete = 0;
-    bool stopped = false;
-    size_t i;
-    json_array_foreach(processes, i, process)
-    {
-        stopped = !json_is_true(json_object_get(process, "complete"));
-        complete += !stopped;
-    }
-    if (stopped)
+    const json_t *platforms = json_object_get(run, "platforms");
+    const struct sb_run_progress progress = sb_run_progress(run);
+    const char *whole = sb_results_whole(folder, arena);
+    if (platforms)
+        warn_platforms(folder, platforms);
+    else if (progress.stopped)
         sb_warn(
             "%s: the run is incomplete: its process %d was stopped, and the rows hold "
             "what was measured until then; go on with: shadebench run --resume %s",
-            folder, started, folder);
-    else if (run && complete < wanted)
+            folder, progress.started, whole);
+    else if (run && progress.complete < progress.wanted)
         sb_warn(
             "%s: the run is incomplete: %d of %d processes were measured; go on with: "
             "shadebench run --resume %s",
-            folder, complete, wanted, folder);
+            folder, progress.complete, progress.wanted, whole);
     json_decref(run);
 }
 

@@ -12,6 +12,7 @@
 #include "cli/expect.h"
 #include "cli/platforms.h"
 #include "cli/report.h"
+#include "cli/results.h"
 #include "cli/write.h"
 #include "export/from_results.h"
 #include "measure/interrupt.h"
@@ -34,6 +35,7 @@ static bool check_resume(const struct sb_options *now, struct sb_error *err)
         {"--dump", now->dump},
         {"the suite", now->word[0]},
         {"--program-cache", now->program_cache},
+        {"--platform", now->platform},
     };
     const char *what = now->images ? "--images" : NULL, *value = "";
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
@@ -227,8 +229,12 @@ static void print_results(const struct sb_options *options, const struct sb_suit
         sb_cli_expect_print(expected);
     if (written)
         printf("\nresults: %s/summary.csv\n", dir);
-    if (result->interrupted)
-        printf("interrupted; go on with: shadebench run --resume %s\n", dir);
+    if (result->interrupted) {
+        struct sb_arena arena = {0};
+        printf("interrupted; go on with: shadebench run --resume %s\n",
+               sb_results_whole(dir, &arena));
+        sb_arena_free(&arena);
+    }
 }
 
 // For other programs, in the forms that --write asks for; the exit code. `written`: the folder has
@@ -271,125 +277,144 @@ static int show_results(const struct sb_options *options, const struct sb_suite 
     if (!sb_outputs_take_stdout(&options->write))
         print_results(options, suite, result, expected, dir, written);
     else if (result->interrupted)
-        sb_info("interrupted; go on with: shadebench run --resume %s", dir);
+        sb_info("interrupted; go on with: shadebench run --resume %s",
+                sb_results_whole(dir, arena));
     return code;
 }
 
+// What is to be run.
+struct plan {
+    const char *data; // folder
+    const char *path; // of the suite; NULL: --set and --sweep alone
+    struct sb_suite suite;
+    struct sb_expected expected;
+    struct sb_platforms platforms;
+};
+
+// A results folder that is gone on with has a copy of its suite.
+static bool find_suite(const struct sb_options *options, struct plan *plan,
+                       struct sb_arena *arena, struct sb_error *err)
+{
+    const char *copy =
+        options->resume ? sb_path_join(arena, options->resume, SB_SUITE_COPY) : NULL;
+    if (options->word_count > 1)
+        return sb_cli_fail_axis("word", options->word[1], NULL, err)
+                   ? false
+                   : sb_fail(err, SB_USAGE, "run takes one suite; \"%s\" is one too many",
+                             options->word[1]);
+    if (copy && sb_file_exists(copy))
+        plan->path = copy;
+    else if (options->word_count)
+        plan->path = sb_cli_suite_path(options->word[0], plan->data, arena, err);
+    return plan->path || !options->word_count;
+}
+
+static bool load_plan(const struct sb_options *options, struct plan *plan,
+                      struct sb_arena *arena, struct sb_error *err)
+{
+    plan->data = sb_data_dir(arena, options->data, err);
+    if (!plan->data || !find_suite(options, plan, arena, err) ||
+        !sb_cli_load_suite(options, plan->path, plan->data, &plan->suite, err) ||
+        !sb_cli_expect(options, &plan->suite, &plan->expected, err) ||
+        (options->platform && !sb_platforms_keep(&plan->suite, options->platform, err)))
+        return false;
+    sb_platforms_find(&plan->suite, &plan->platforms, arena);
+    return true;
+}
+
 // One run a platform, and what is asked of all of them together.
-static int run_platforms(const struct sb_options *options, const struct sb_suite *suite,
-                         const struct sb_platforms *platforms, const json_t *arguments,
-                         struct sb_expected *expected, struct sb_arena *arena)
+static int run_platforms(const struct sb_options *options, struct plan *plan,
+                         const json_t *arguments, struct sb_arena *arena)
 {
     struct sb_platforms_rows rows = {0};
-    const char *dir = results_dir(options, suite, arena);
+    const char *dir = results_dir(options, &plan->suite, arena);
     const struct sb_platforms_run run = {
-        .suite = suite,
-        .platforms = platforms,
+        .suite = &plan->suite,
+        .platforms = &plan->platforms,
         .dir = dir,
+        .suite_file = plan->path,
+        .options = options,
         .arguments = arguments,
         .quiet_output = options->json || sb_outputs_take_stdout(&options->write),
     };
     int code = sb_platforms_run(&run, &rows);
     const struct sb_run_result result = {
-        .row = rows.row, .row_count = rows.count, .interrupted = sb_interrupted()};
+        .row = rows.row, .row_count = rows.count, .interrupted = rows.interrupted};
     const bool judged = options->check && !result.interrupted && rows.count > 0;
+    const struct sb_expected *expected = judged ? &plan->expected : NULL;
     if (judged) {
-        sb_expect_check(expected, result.row, result.row_count);
+        sb_expect_check(&plan->expected, result.row, result.row_count);
         code = sb_exit_code_worse(code, sb_cli_expect_code(options, expected));
     }
     if (rows.count > 0) // before all that is printed, as show_results
-        code = sb_exit_code_worse(code, write_outputs(options, suite, &result,
-                                                      judged ? expected : NULL, NULL,
-                                                      true, arena));
+        code = sb_exit_code_worse(code, write_outputs(options, &plan->suite, &result,
+                                                      expected, NULL, true, arena));
     if (judged && !run.quiet_output)
         sb_cli_expect_print(expected);
     if (options->json)
-        print_results(options, suite, &result, judged ? expected : NULL, dir, true);
+        print_results(options, &plan->suite, &result, expected, dir, true);
     else if (!run.quiet_output && rows.count > 0)
         printf("\nresults of all platforms: %s/summary.csv\n", dir);
     sb_platforms_rows_free(&rows);
     return code;
 }
 
-static int run_suite(const struct sb_options *options, json_t *arguments,
-                     struct sb_arena *arena)
+// A process of a run on one platform. The next one, where more are wanted, takes this one's place.
+static int run_process(const struct sb_options *options, struct plan *plan,
+                       const json_t *arguments, struct sb_arena *arena)
 {
     struct sb_error err = {0};
-    struct sb_suite suite = {0};
     struct sb_run_result result = {0};
-    struct sb_expected expected = {0};
-    struct sb_platforms platforms;
-    struct sb_driver_params driver = {0};
-    int code;
-    const char *path = NULL, *dir = NULL;
-    const char *data = sb_data_dir(arena, options->data, &err);
-    if (!data)
+    struct sb_run_params params = {
+        .suite = &plan->suite,
+        .data_dir = plan->data,
+        .shaders = options->shaders,
+        .dir = results_dir(options, &plan->suite, arena),
+        .append = options->resume != NULL,
+        .images = options->images,
+        .payback = options->payback,
+        .dump = options->dump,
+        .suite_file = plan->path,
+        .arguments = arguments,
+    };
+    if (!sb_cli_driver_params(options, &plan->suite, &params.driver, &err))
         return sb_cli_fail(&err);
-    if (options->word_count > 1) {
-        if (!sb_cli_fail_axis("word", options->word[1], NULL, &err))
-            sb_fail(&err, SB_USAGE, "run takes one suite; \"%s\" is one too many",
-                    options->word[1]);
-        return sb_cli_fail(&err);
-    }
-    if (options->resume &&
-        sb_file_exists(sb_path_join(arena, options->resume, SB_SUITE_COPY)))
-        path = sb_path_join(arena, options->resume, SB_SUITE_COPY);
-    else if (options->word_count &&
-             !(path = sb_cli_suite_path(options->word[0], data, arena, &err)))
-        return sb_cli_fail(&err);
-
-    bool good =
-        sb_cli_load_suite(options, path, data, &suite, &err) &&
-        sb_cli_expect(options, &suite, &expected, &err) &&
-        (!options->platform || sb_platforms_keep(&suite, options->platform, &err));
-    if (good)
-        sb_platforms_find(&suite, &platforms, arena);
-    if (good && platforms.count > 1) {
-        code = run_platforms(options, &suite, &platforms, arguments, &expected, arena);
-        sb_expect_free(&expected);
-        sb_suite_free(&suite);
-        return code;
-    }
-    good = good && sb_cli_driver_params(options, &suite, &driver, &err);
-    if (good && options->ablate)
-        sb_ablate(&suite);
-    if (good) {
-        dir = results_dir(options, &suite, arena);
-        const struct sb_run_params params = {
-            .suite = &suite,
-            .driver = driver,
-            .data_dir = data,
-            .shaders = options->shaders,
-            .dir = dir,
-            .append = options->resume != NULL,
-            .images = options->images,
-            .payback = options->payback,
-            .dump = options->dump,
-            .suite_file = path,
-            .arguments = arguments,
-        };
-        sb_info("%s: %d variants; results go to %s", suite.name, suite.entry_count, dir);
-        good = sb_run(&params, &result, &err);
-    }
-    const bool more = good && !result.interrupted && !sb_driver_untimed(&driver) &&
-                      result.processes_done < (int)suite.measure.processes;
+    if (options->ablate)
+        sb_ablate(&plan->suite);
+    sb_info("%s: %d variants; results go to %s", plan->suite.name,
+            plan->suite.entry_count, params.dir);
+    const bool good = sb_run(&params, &result, &err);
+    const bool more = good && !result.interrupted && !sb_driver_untimed(&params.driver) &&
+                      result.processes_done < (int)plan->suite.measure.processes;
     // What an interrupted run has not measured is no miss.
     const bool judged = options->check && result.row && !result.interrupted && !more;
+    const struct sb_expected *expected = judged ? &plan->expected : NULL;
     if (judged)
-        sb_expect_check(&expected, result.row, result.row_count);
-    code = result.exit_code;
+        sb_expect_check(&plan->expected, result.row, result.row_count);
+    int code = result.exit_code;
     if (result.row && !more)
-        code = sb_exit_code_worse(code, show_results(options, &suite, &result,
-                                                     judged ? &expected : NULL, dir, good,
-                                                     arena));
+        code = sb_exit_code_worse(code, show_results(options, &plan->suite, &result,
+                                                     expected, params.dir, good, arena));
     if (!good)
         code = sb_exit_code_worse(code, sb_cli_fail(&err));
     if (judged)
-        code = sb_exit_code_worse(code, sb_cli_expect_code(options, &expected));
-    sb_expect_free(&expected);
+        code = sb_exit_code_worse(code, sb_cli_expect_code(options, expected));
     sb_run_result_free(&result);
-    sb_suite_free(&suite);
-    return more ? next_process(dir, options, &err) : code;
+    return more ? next_process(params.dir, options, &err) : code;
+}
+
+static int run_suite(const struct sb_options *options, const json_t *arguments,
+                     struct sb_arena *arena)
+{
+    struct sb_error err = {0};
+    struct plan plan = {0};
+    const int code = !load_plan(options, &plan, arena, &err) ? sb_cli_fail(&err)
+                     : plan.platforms.count > 1
+                         ? run_platforms(options, &plan, arguments, arena)
+                         : run_process(options, &plan, arguments, arena);
+    sb_expect_free(&plan.expected);
+    sb_suite_free(&plan.suite);
+    return code;
 }
 
 int sb_cmd_run(const struct sb_options *given, int argc, char **argv)

@@ -91,7 +91,7 @@ json_t *sb_precision_json(const struct sb_driver *driver)
     return list;
 }
 
-static json_t *settings_json(const struct sb_measure_settings *settings)
+json_t *sb_settings_json(const struct sb_measure_settings *settings)
 {
     json_t *object = json_object();
     for (int i = 0; i < sb_measure_row_count; i++)
@@ -152,7 +152,7 @@ json_t *sb_record_make(const struct sb_record_params *params, const json_t *earl
     json_object_set_new(run, "program_cache",
                         params->program_cache ? json_string(params->program_cache)
                                               : json_null());
-    json_object_set_new(run, "measure", settings_json(&suite->measure));
+    json_object_set_new(run, "measure", sb_settings_json(&suite->measure));
     json_object_set_new(run, "caps", sb_caps_json(&params->driver->caps));
     json_object_set_new(run, "precision", sb_precision_json(params->driver));
     json_object_set_new(run, "processes", processes_json(params, earlier));

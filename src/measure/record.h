@@ -20,6 +20,7 @@ struct sb_record_params {
 // Extends the run.json of earlier processes (NULL: none). New reference.
 json_t *sb_record_make(const struct sb_record_params *params, const json_t *earlier);
 
+json_t *sb_settings_json(const struct sb_measure_settings *settings);
 json_t *sb_caps_json(const struct sb_caps *caps);
 json_t *sb_audit_json(const struct sb_driver *driver);
 json_t *sb_precision_json(const struct sb_driver *driver);

@@ -337,20 +337,18 @@ static bool measure(struct sb_run_state *run, struct sb_error *err)
 
 // --- a run -----------------------------------------------------------------------------------
 
-static bool copy_suite(const struct sb_run_params *params, struct sb_error *err)
+bool sb_run_copy_suite(const char *suite_file, const char *dir, struct sb_error *err)
 {
-    if (!params->suite_file || params->append)
-        return true;
     struct sb_arena arena = {0};
     size_t size = 0;
-    const char *copy = sb_path_join(&arena, params->dir, SB_SUITE_COPY);
-    const char *text = sb_file_read(&arena, params->suite_file, 1 << 20, &size, err);
+    const char *copy = sb_path_join(&arena, dir, SB_SUITE_COPY);
+    const char *text = sb_file_read(&arena, suite_file, 1 << 20, &size, err);
     bool good = text != NULL;
     if (good && size == 0) // a pipe: the suite was read from it
         good = sb_fail(err, SB_BAD_INPUT,
                        "%s: cannot be read a second time, for its copy beside the "
                        "results; give a regular file",
-                       params->suite_file);
+                       suite_file);
     good = good && sb_file_replace(copy, text, size, err);
     sb_arena_free(&arena);
     return good;
@@ -389,7 +387,8 @@ static bool open_all(struct sb_run_state *run, struct sb_error *err)
         .append = params->append,
     };
     run->store = sb_store_open(&store, err);
-    if (!run->store || !copy_suite(params, err))
+    if (!run->store || (params->suite_file && !params->append &&
+                        !sb_run_copy_suite(params->suite_file, params->dir, err)))
         return false;
     if (params->examined) {
         run->driver = *params->examined;

@@ -39,3 +39,6 @@ struct sb_run_result {
 bool sb_run(const struct sb_run_params *params, struct sb_run_result *result,
             struct sb_error *err);
 void sb_run_result_free(struct sb_run_result *result);
+
+// Leaves a copy of the suite in the results folder `dir`. SB_BAD_INPUT, SB_WRITE_FAILED
+bool sb_run_copy_suite(const char *suite_file, const char *dir, struct sb_error *err);

@@ -379,7 +379,7 @@ void sb_summarise(const struct sb_summary_params *params, struct sb_row *row,
     for (int i = 0; i < params->task_count; i++) {
         const struct sb_task *task = &params->task[i];
         sb_row_init(&row[i]);
-        row[i].axes = task->loaded ? &task->assembly.job.variant : &task->entry->variant;
+        row[i].axes = task->decided ? &task->assembly.job.variant : &task->entry->variant;
         row[i].variant = task->entry->id;
         row[i].scene = task->entry->scene;
         row[i].renderer = driver->caps.renderer;

@@ -137,14 +137,19 @@ void sb_task_prepare(struct sb_task *task, const struct sb_prepare_params *param
     task->untimed = sb_variant_untimed(&params->suite->axes, &task->entry->variant);
     task->nonfinite = task->negative = SB_NO_COUNT;
     task->class_spread = task->shadow_share = task->payback_check = NAN;
-    if (params->frozen ? !sb_assemble_frozen(&frozen, &task->assembly, &err)
-                       : !sb_assemble(&assemble, &task->assembly, &err)) {
+    task->assembly.job.variant = task->entry->variant;
+    const bool assembled = params->frozen
+                               ? sb_assemble_frozen(&frozen, &task->assembly, &err)
+                               : sb_assemble(&assemble, &task->assembly, &err);
+    // Of what fails, too, or its row would seem to be one of other conditions.
+    sb_platform_record(&driver->caps, &task->assembly.job.variant);
+    task->decided = true;
+    if (!assembled) {
         sb_task_fail(task, &err);
         return;
     }
     if (params->renamed)
         sb_assembly_rename(&task->assembly);
-    sb_platform_record(&driver->caps, &task->assembly.job.variant);
     task->loaded =
         driver->fns->prepare(driver->runner, &task->assembly.job, &task->prepared);
     if (!task->loaded)

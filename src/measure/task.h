@@ -24,6 +24,7 @@ struct sb_task {
     // prepare
     struct sb_assembly assembly;
     struct sb_prepared prepared;
+    bool decided; // the assembly's variant is the entry's, with what was decided of it
     bool loaded;  // the runner holds the job
     bool untimed; // a value of an axis is for accuracy only
     // any stage

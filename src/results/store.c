@@ -148,13 +148,26 @@ bool sb_store_summary(struct sb_store *store, const struct sb_row *rows, int cou
     return sb_file_replace(store->summary_path, text->data, text->length, err);
 }
 
-bool sb_store_run(struct sb_store *store, const json_t *run, struct sb_error *err)
+static bool write_run(const char *path, const json_t *run, struct sb_error *err)
 {
     char *text = json_dumps(run, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
     if (!text)
         return sb_fail(err, SB_INTERNAL, "run.json: not a JSON value");
-    const bool good = sb_file_replace(store->run_path, text, strlen(text), err);
+    const bool good = sb_file_replace(path, text, strlen(text), err);
     free(text);
+    return good;
+}
+
+bool sb_store_run(struct sb_store *store, const json_t *run, struct sb_error *err)
+{
+    return write_run(store->run_path, run, err);
+}
+
+bool sb_store_run_in(const char *dir, const json_t *run, struct sb_error *err)
+{
+    struct sb_arena arena = {0};
+    const bool good = write_run(sb_path_join(&arena, dir, "run.json"), run, err);
+    sb_arena_free(&arena);
     return good;
 }
 

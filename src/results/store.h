@@ -26,5 +26,8 @@ bool sb_store_summary(struct sb_store *store, const struct sb_row *rows, int cou
                       struct sb_error *err);
 bool sb_store_run(struct sb_store *store, const json_t *run, struct sb_error *err);
 
+// The same of a folder that has no samples of its own: of a run over several platforms.
+bool sb_store_run_in(const char *dir, const json_t *run, struct sb_error *err);
+
 // Reads a folder's run.json; the caller decrefs. NULL on failure.
 json_t *sb_store_read_run(const char *dir, struct sb_error *err);

@@ -230,6 +230,8 @@ static void a_shader_that_does_not_compile_costs_only_its_rows(void **state)
             continue;
         }
         assert_string_equal(csv_cell(&csv, i, "status"), "compile_failed");
+        assert_string_equal(csv_cell(&csv, i, "context"), gl_test_context());
+        assert_string_not_equal(csv_cell(&csv, i, "glsl"), "auto");
         check_contains(csv_cell(&csv, i, "note"), "stage/vertex.vert:11");
         check_contains(csv_cell(&csv, i, "note"), "nowhere");
         assert_string_equal(csv_cell(&csv, i, "median_ms"), "");
