@@ -8,6 +8,7 @@
 #include "base/process.h"
 #include "cases/case.h"
 #include "cli/gate.h"
+#include "measure/interrupt.h"
 #include "results/csv.h"
 
 enum { WORDS_MAX = 24 + SB_CASES_MAX };
@@ -44,7 +45,8 @@ bool sb_gate_cases_check(const char *list, struct sb_error *err)
 
 // True where it has judged: exit code 0, or 1 with cases that fail.
 static bool verify(const struct sb_gate_params *params, int side, const char *list,
-                   const char *dir, struct sb_arena *arena, struct sb_error *err)
+                   const struct sb_lifeline *line, const char *dir,
+                   struct sb_arena *arena, struct sb_error *err)
 {
     const struct sb_context_params *context = &params->side[side].driver.context;
     const char *shaders = params->side[side].shaders;
@@ -73,10 +75,15 @@ static bool verify(const struct sb_gate_params *params, int side, const char *li
         words[count++] = sb_arena_printf(arena, "--device=%d", context->device);
     if (!add_cases(list, words, &count, arena, err))
         return false;
+    const int settings = context->environment_count;
+    const char **setting = sb_arena_alloc(arena, ((size_t)settings + 1) * sizeof(char *));
+    for (int i = 0; i < settings; i++)
+        setting[i] = context->environment[i];
+    setting[settings] = line->setting;
     const struct sb_process_params process = {
         .words = words,
-        .environment = context->environment,
-        .environment_count = context->environment_count,
+        .environment = setting,
+        .environment_count = settings + 1,
         .output = SB_STREAM_DROPPED,
     };
     if (!sb_process_run(&process, &exit_code, err))
@@ -153,12 +160,15 @@ bool sb_gate_cases(const struct sb_gate_params *params, const char *list,
 {
     struct sb_arena arena = {0};
     struct sb_csv csv[SB_SIDES] = {{0}};
+    struct sb_lifeline line;
+    if (!sb_lifeline_open(&line, err))
+        return false;
     bool good = true;
     for (int side = 0; good && side < SB_SIDES && !lost->unknown; side++) {
         const char *dir =
             sb_arena_printf(&arena, "%s/cases-%s", params->dir, sb_side_names[side]);
         sb_info("verifying the hard cases of %s", sb_side_names[side]);
-        good = verify(params, side, list, dir, &arena, err) &&
+        good = verify(params, side, list, &line, dir, &arena, err) &&
                sb_csv_read(sb_path_join(&arena, dir, "cases.csv"), &csv[side], err);
         if (!good && side == SB_BASE && err->status != SB_INTERRUPTED) {
             sb_warn("%s; head's have nothing to be held against", err->text);
@@ -168,6 +178,7 @@ bool sb_gate_cases(const struct sb_gate_params *params, const char *list,
     }
     if (good && !lost->unknown)
         good = find_lost(&csv[SB_BASE], &csv[SB_HEAD], lost, err);
+    sb_lifeline_close(&line);
     for (int side = 0; side < SB_SIDES; side++)
         sb_csv_free(&csv[side]);
     sb_arena_free(&arena);
