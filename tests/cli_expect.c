@@ -117,6 +117,7 @@ static void without_a_timer_errors_are_judged_and_times_are_not(void **state)
     assert_int_equal(csv.row_count, 1);
     sb_csv_free(&csv);
     check_answer("run --resume @/untimed", 1, "timer: none");
+    check_shell("$SB compare @/untimed @/untimed 2>&1 | grep -c incomplete", 1, "0");
 }
 
 // The first start's arguments and the suite's copy have all that is needed.

@@ -379,12 +379,14 @@ static int run_process(const struct sb_options *options, struct plan *plan,
     };
     if (!sb_cli_driver_params(options, &plan->suite, &params.driver, &err))
         return sb_cli_fail(&err);
+    if (sb_driver_untimed(&params.driver))
+        plan->suite.measure.processes = 1; // pictures are those of any
     if (options->ablate)
         sb_ablate(&plan->suite);
     sb_info("%s: %d variants; results go to %s", plan->suite.name,
             plan->suite.entry_count, params.dir);
     const bool good = sb_run(&params, &result, &err);
-    const bool more = good && !result.interrupted && !sb_driver_untimed(&params.driver) &&
+    const bool more = good && !result.interrupted &&
                       result.processes_done < (int)plan->suite.measure.processes;
     // What an interrupted run has not measured is no miss.
     const bool judged = options->check && result.row && !result.interrupted && !more;
