@@ -262,12 +262,11 @@ static int show(const struct sb_gate_shown *shown)
 }
 
 // For git bisect run, to which 1 to 127 are "bad", 125 is "cannot be tested" and more ends the
-// bisection: so does a command line or folder that is wrong at every commit, or a base.
+// bisection: so does a command line or folder that is wrong at every commit.
 static int bisect_code(int code, const struct sb_error *err)
 {
     enum { SKIP = 125 };
-    if (sb_status_rows[err->status].exit_code == sb_status_rows[SB_USAGE].exit_code ||
-        code == SB_EXIT_STOP_BISECTION)
+    if (sb_status_rows[err->status].exit_code == sb_status_rows[SB_USAGE].exit_code)
         return SB_EXIT_STOP_BISECTION;
     return code > 1 && code < SKIP ? SKIP : code;
 }

@@ -50,7 +50,7 @@ static int count_timed(const struct sb_gate_session *session)
 
 // --- rows ----------------------------------------------------------------------------------------
 
-static const char *hash_text(struct sb_arena *arena, uint64_t hash)
+const char *sb_gate_hash_text(struct sb_arena *arena, uint64_t hash)
 {
     return sb_arena_printf(arena, "%016llx", (unsigned long long)hash);
 }
@@ -163,9 +163,9 @@ static void fill_row(struct sb_gate_state *gate, int i)
         row->head_max_err = head->accuracy.total.max;
     }
     if (base->loaded)
-        row->base_source = hash_text(&gate->arena, base->assembly.source_hash);
+        row->base_source = sb_gate_hash_text(&gate->arena, base->assembly.source_hash);
     if (head->loaded)
-        row->head_source = hash_text(&gate->arena, head->assembly.source_hash);
+        row->head_source = sb_gate_hash_text(&gate->arena, head->assembly.source_hash);
     row->note = pair->timed || !base->loaded || !head->loaded
                     ? note_of(gate, pair)
                     : "the final sources are equal: nothing to compare";

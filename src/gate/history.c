@@ -37,11 +37,6 @@ static bool prepare_all(struct sb_gate_session *session, struct sb_error *err)
 
 // --- rows ----------------------------------------------------------------------------------------
 
-static const char *hash_text(struct sb_arena *arena, uint64_t hash)
-{
-    return sb_arena_printf(arena, "%016llx", (unsigned long long)hash);
-}
-
 // How many threads a software driver draws with, whose levels depend on it. Other drivers do not
 // read the variable; which are which, not every context says.
 static const char *threads_text(struct sb_arena *arena, const struct sb_caps *caps)
@@ -106,10 +101,10 @@ static void take(struct measuring *all, const struct sb_gate_session *session, i
     const struct sb_interval ratio = ratio_of(pair);
     const enum sb_status status = status_of(pair, &ratio);
     if (anchor->loaded)
-        row->anchor = hash_text(
+        row->anchor = sb_gate_hash_text(
             arena, sb_anchor_mark(all->params->anchor, anchor->prepared.input_hash));
     if (head->loaded)
-        row->source_hash = hash_text(arena, head->assembly.source_hash);
+        row->source_hash = sb_gate_hash_text(arena, head->assembly.source_hash);
     if (variant->status == SB_OK && status != SB_OK) {
         variant->status = status;
         variant->note = sb_arena_strdup(arena, sb_text_get(&head->note));

@@ -87,6 +87,9 @@ bool sb_gate_counts_run(struct sb_gate_state *gate, struct sb_gate_result *resul
 // Counts all candidates once more, in one fresh process.
 bool sb_gate_counts_confirm(struct sb_gate_state *gate, struct sb_error *err);
 
+// gate.c: as rows have it, 16 hexadecimal digits.
+const char *sb_gate_hash_text(struct sb_arena *arena, uint64_t hash);
+
 // record.c
 struct sb_gate_state {
     struct sb_gate_params params;

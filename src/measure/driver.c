@@ -79,15 +79,21 @@ bool sb_driver_probe(struct sb_driver *driver, struct sb_error *err)
     return true;
 }
 
-bool sb_driver_examine(const struct sb_driver_params *params, struct sb_driver *driver,
-                       struct sb_error *err)
+static bool examine(const struct sb_driver_params *params, bool timed,
+                    struct sb_driver *driver, struct sb_error *err)
 {
     if (!sb_driver_connect(params, driver, err))
         return false;
-    if (audit(driver, params->timer, err) && sb_driver_probe(driver, err))
+    if ((!timed || audit(driver, params->timer, err)) && sb_driver_probe(driver, err))
         return true;
     sb_driver_close(driver);
     return false;
+}
+
+bool sb_driver_examine(const struct sb_driver_params *params, struct sb_driver *driver,
+                       struct sb_error *err)
+{
+    return examine(params, true, driver, err);
 }
 
 bool sb_driver_use_timer(struct sb_driver *driver, const char *wanted,
@@ -103,25 +109,13 @@ bool sb_driver_untimed(const struct sb_driver_params *params)
     return params->timer && strcmp(params->timer, "none") == 0;
 }
 
-static bool open_untimed(const struct sb_driver_params *params, struct sb_driver *driver,
-                         struct sb_error *err)
-{
-    if (!sb_driver_connect(params, driver, err))
-        return false;
-    if (sb_driver_probe(driver, err))
-        return true;
-    sb_driver_close(driver);
-    return false;
-}
-
 bool sb_driver_open(const struct sb_driver_params *params, struct sb_driver *driver,
                     struct sb_error *err)
 {
-    if (sb_driver_untimed(params))
-        return open_untimed(params, driver, err);
-    if (!sb_driver_examine(params, driver, err))
+    const bool timed = !sb_driver_untimed(params);
+    if (!examine(params, timed, driver, err))
         return false;
-    if (sb_driver_use_timer(driver, params->timer, err))
+    if (!timed || sb_driver_use_timer(driver, params->timer, err))
         return true;
     sb_driver_close(driver);
     return false;
